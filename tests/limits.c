@@ -231,6 +231,83 @@ static void shapes_of_regions(void) {
   written_free(&it);
 }
 
+/* ---- servo ---- */
+
+static void targets_of_servos(void) {
+  static const struct {
+    const char *scene, *servo;
+    bool controlled[3], mean, cell, box, affine, per_cycle;
+    double stress[3], rate;
+    unsigned long every;
+  } rows[] = {
+      {"cell 0 0 to 9 9", "isotropic 5 on cell through cell at most 2", {1, 1, 1}, 0, 1, 0, 0, 0, {5, 5, 0}, 2, 10},
+      {"cell 0 0 to 9 9", "mean 5 on cell through cell at most 2", {1, 1, 1}, 1, 1, 0, 0, 0, {5, 5, 0}, 2, 10},
+      {"cell 0 0 to 9 9", "xx 5 on cell through cell at most 2", {1, 0, 0}, 0, 1, 0, 0, 0, {5, 0, 0}, 2, 10},
+      {"cell 0 0 to 9 9", "yy 6 on cell through cell at most 2", {0, 1, 0}, 0, 1, 0, 0, 0, {0, 6, 0}, 2, 10},
+      {"cell 0 0 to 9 9", "xy 7 on cell through cell at most 2", {0, 0, 1}, 0, 1, 0, 0, 0, {0, 0, 7}, 2, 10},
+      {"cell 0 0 to 9 9", "xx 5 xy 7 on cell through cell at most 2", {1, 0, 1}, 0, 1, 0, 0, 0, {5, 0, 7}, 2, 10},
+      {"box 0 0 to 9 9 m", "isotropic 5 on box through box at most 2", {1, 1, 0}, 0, 0, 1, 0, 0, {5, 5, 0}, 2, 10},
+      {"box 0 0 to 9 9 m", "yy 5 on walls through box at most 2", {0, 1, 0}, 0, 0, 1, 0, 0, {0, 5, 0}, 2, 10},
+      {"boundary circle 4 4 radius 9",
+       "isotropic 5 on boundary through boundary affine at most 2 per cycle every 3 cycles",
+       {1, 1, 1},
+       0,
+       0,
+       0,
+       1,
+       1,
+       {5, 5, 0},
+       2,
+       3},
+      {"boundary circle 4 4 radius 9",
+       "xy 5 on M through boundary at most 2",
+       {0, 0, 1},
+       0,
+       0,
+       0,
+       0,
+       0,
+       {0, 0, 5},
+       2,
+       10},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\n%s\ndisc 5 5 radius 1 m\nregion M all\nstep 1\nrecord time\n"
+              "stage a\nservo %s\ncycles 1\n",
+              rows[k].scene, rows[k].servo);
+    written_scene(&it, &page);
+    const struct nb_servo *servo = &it.scene.stages[0].servo;
+    for (int c = 0; c < 3; c++) {
+      CU_ASSERT_EQUAL(servo->controlled[c], rows[k].controlled[c]);
+      CU_ASSERT_EQUAL(servo->stress[c], rows[k].stress[c]);
+    }
+    CU_ASSERT_EQUAL(servo->mean, rows[k].mean);
+    CU_ASSERT_EQUAL(servo->cell, rows[k].cell);
+    CU_ASSERT_EQUAL(servo->box, rows[k].box);
+    CU_ASSERT_EQUAL(servo->affine, rows[k].affine);
+    CU_ASSERT_EQUAL(servo->per_cycle, rows[k].per_cycle);
+    CU_ASSERT_EQUAL(servo->max_rate, rows[k].rate);
+    CU_ASSERT_EQUAL(servo->every, rows[k].every);
+    CU_ASSERT_EQUAL(servo->line, 10);
+    CU_ASSERT(servo->axis_x[0] == 1 && servo->axis_x[1] == 0 && servo->axis_y[0] == 0 && servo->axis_y[1] == 1);
+    static const char *const parts[] = {"xx", "xy", "yx", "yy"};
+    for (int c = 0; c < 4; c++) { /* the measured quantities are those of the place after `on` */
+      char name[64], place[16];
+      struct nb_quantity wanted;
+      sscanf(strstr(rows[k].servo, "on "), "on %15s", place);
+      snprintf(name, sizeof name, "%s.stress.%s", place, parts[c]);
+      CU_ASSERT(nb_quantity_find(&wanted, &it.scene, name));
+      CU_ASSERT_PTR_EQUAL(servo->quantity[c].kind, wanted.kind);
+      CU_ASSERT_PTR_EQUAL(servo->quantity[c].suffix, wanted.suffix);
+      CU_ASSERT_EQUAL(servo->quantity[c].monitor, wanted.monitor);
+    }
+    written_free(&it);
+  }
+}
+
 /* ---- damping ---- */
 
 /* What statements set: `none` sets all five settings, a statement for contacts those of walls too, unless they have their
@@ -420,6 +497,7 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, lattices);
   CU_ADD_TEST(suite, regions);
   CU_ADD_TEST(suite, shapes_of_regions);
+  CU_ADD_TEST(suite, targets_of_servos);
   CU_ADD_TEST(suite, settings_of_damping);
   CU_ADD_TEST(suite, limits_of_damping);
   CU_ADD_TEST(suite, pairs);

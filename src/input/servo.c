@@ -39,7 +39,7 @@ const char *nb_page_place(const struct nb_page *page) {
     for (size_t k = 0; page->kind_of && k < page->line_count; k++) {
       const char *at = page->lines[k] + strspn(page->lines[k], " \t");
       const size_t length = strlen(places[p]);
-      if (page->kind_of[k] != 1 + NB_BLOCK_SCENE || strncmp(at, places[p], length) != 0 || !strchr(" \t", at[length]))
+      if (page->kind_of[k] != 1 + NB_BLOCK_SCENE || strncmp(at, places[p], length) != 0)
         continue;
       at += length + strspn(at + length, " \t");
       if (p == 2 ? strncmp(at, "circle", strlen("circle")) == 0 : !isalpha((unsigned char)*at))
@@ -80,12 +80,22 @@ static bool target_of(char *text, size_t size, const struct nb_reader *reader, c
   return true;
 }
 
+static const char no_box_shear[] = "the servo does not rotate the walls of a box, so it cannot control a shear stress";
+static bool shears_box(const char *place, const char *component) {
+  return strcmp(place, "box") == 0 && strcmp(component, "xy") == 0;
+}
+
 bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
-  const char *const place = nb_page_place(reader->page), *component;
+  const char *const place = nb_page_place(reader->page), *const unit = reader->unitless ? "" : " 1/s", *component;
   char target[NB_NAME_SIZE + 2];
   size_t number;
   if (!place || !target_of(target, sizeof target, reader, &component, &number))
     return false;
+  if (shears_box(place, component)) {
+    snprintf(hint, NB_HINT_SIZE, "%s; components are `xx P` and `yy P`, and `mean P` controls (xx + yy)/2",
+             no_box_shear);
+    return true;
+  }
   snprintf(hint, NB_HINT_SIZE,
            "write `servo %s on %s through %s at most 1e-6 per cycle`; %s control components, and `mean P` controls "
            "(xx + yy)/2",
@@ -94,8 +104,8 @@ bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
   if (strcmp(place, "box") == 0 && *component != 'i')
     nb_append(hint, NB_HINT_SIZE, ". The servo strains the whole box, so opposite walls move by equal distances");
   if (strcmp(place, "box") == 0 && (*component == 'x' || *component == 'y'))
-    nb_append(hint, NB_HINT_SIZE, "; the other direction may have `box strain %s`",
-              *component == 'x' ? "0 1/s -0.01 1/s" : "-0.01 1/s 0 1/s");
+    nb_append(hint, NB_HINT_SIZE, "; the other direction may have `box strain %s%s %s%s`",
+              *component == 'x' ? "0" : "-0.01", unit, *component == 'x' ? "-0.01" : "0", unit);
   return true;
 }
 
@@ -105,7 +115,7 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
   char target[NB_NAME_SIZE + 2];
   double value;
   size_t number;
-  if (!place || !target_of(target, sizeof target, reader, &component, &number) ||
+  if (!place || !target_of(target, sizeof target, reader, &component, &number) || shears_box(place, component) ||
       nb_number_read(&value, reader->tokens[number].text, 0) != NB_READ)
     return;
   const char *const unit = strrchr(target, ' '); /* or the number */
@@ -129,9 +139,8 @@ const char *nb_servo_wanted(char *text, size_t size, const struct nb_scene_readi
 static bool wrong_place(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token) {
   const bool cell = strcmp(token->text, "cell") == 0,
              box = strcmp(token->text, "box") == 0 || strcmp(token->text, "walls") == 0;
-  const bool has_box = nb_box_first_wall(scene) >= 0;
   char hint[NB_HINT_SIZE];
-  if (!(box && !has_box && scene->cell.line) && !(cell && !scene->cell.line && has_box))
+  if (!(box && scene->cell.line) && !(cell && nb_box_first_wall(scene) >= 0))
     return false;
   nb_token_mistake(reader, token, nb_servo_hint(hint, reader) ? hint : NULL,
                    "expected `%s`, because the scene has a %s, found `%s`", box ? "cell" : "box",
@@ -165,7 +174,7 @@ static void take_target(struct nb_reader *reader, const struct nb_value *value, 
                      "expected one target: `isotropic P`, `mean P`, or components `xx P`, `yy P`, `xy P`");
   for (int k = 0; k < 3; k++) {
     const int at = components ? AT_XX + k : isotropic ? AT_ISOTROPIC : AT_MEAN;
-    servo->controlled[k] = !components || value[at].token;
+    servo->controlled[k] = value[at].token;
     servo->stress[k] = components || k < 2 ? value[at].number : 0;
   }
 }
@@ -199,8 +208,7 @@ NB_APPLY(apply_servo) {
     nb_take_count_of(reader, "cycle", &servo.every);
   nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
-    nb_token_mistake(reader, value[AT_XY].token,
-                     "the servo does not rotate the walls of a box, so it cannot control a shear stress",
+    nb_token_mistake(reader, value[AT_XY].token, no_box_shear,
                      "expected `xx` or `yy` for a servo through a box, found `xy`");
   servo.controlled[2] = servo.controlled[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
