@@ -451,6 +451,55 @@ static void scales_of_a_box(void) {
   }
 }
 
+/* B of a boundary has no springs of walls: a wall that touches the disc in the middle changes neither B nor T, except that it moves the disc by 1e-8. */
+static void walls_do_not_stiffen_a_boundary(void) {
+  double b[2], t[2];
+  for (int wall = 0; wall < 2; wall++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              RING
+              "%sstage s\nboundary strain -0.01 -0.01\n"
+              "cycles 9\nstage t\nservo isotropic 12 on boundary through boundary at most 1e-4 per cycle\ncycles 1\n",
+              wall ? "wall w 0.2 0.999999 to -0.2 0.999999 m\n" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    CU_ASSERT(model->contacts.count > (wall ? 6 : 5));
+    CU_ASSERT(nb_servo_scales(model, &it.scene.stages[1].servo, &b[wall], &t[wall]));
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(b[1], b[0], 1e-4 * b[0]);
+  CU_ASSERT_DOUBLE_EQUAL(t[1], t[0], 1e-4 * t[0]);
+}
+
+/* A boundary whose particles move freely, under a stress, has no strain rate. A servo adds none until a stage holds the
+ * particles again. */
+static void a_released_boundary_has_no_servo(void) {
+  for (int held = 0; held < 2; held++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              RING "stage s\nboundary stress 1 1\ncycles 1\nstage t\n%sservo isotropic 12 on boundary through boundary "
+                   "affine at most 1e-4 per cycle every 1 cycle\ncycles 2\n",
+              held ? "boundary fixed\n" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int s = 0; s < 2; s++) {
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+      written_cycles(model, 1 + s);
+    }
+    CU_ASSERT_EQUAL(model->affine->rate[NB_AFFINE_FREE].xx != 0, held);
+    CU_ASSERT_EQUAL(model->affine->rate[NB_AFFINE_BOUNDARY].xx != 0, held);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* The servo adds its strain rate to that of the boundary, and with `affine` also to that of the particles inside. */
 static void the_particles_inside_have_the_added_rate(void) {
   for (int affine = 0; affine < 2; affine++) {
@@ -569,6 +618,8 @@ void suite_servo(void) {
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
   CU_add_test(suite, "the added rate is updated every tenth cycle by default", every_tenth_cycle);
   CU_add_test(suite, "bulk stiffness B and time T of a box", scales_of_a_box);
+  CU_ADD_TEST(suite, walls_do_not_stiffen_a_boundary);
+  CU_ADD_TEST(suite, a_released_boundary_has_no_servo);
   CU_add_test(suite, "soft springs give the same motion", soft_springs_give_the_same_motion);
   CU_add_test(suite, "a servo begins at its target, a ramp at the current stress", initial_targets);
 }
