@@ -381,7 +381,7 @@ SUITES = \
   tests/team.c \
   tests/team_late.c \
   tests/fill.c \
-  tests/run.c tests/result.c tests/model.c \
+  tests/run.c tests/result.c tests/model.c tests/checkpoint_files.c \
   tests/hooks.c \
   tests/state.c \
   tests/state_driven.c \
