@@ -138,7 +138,7 @@ static void a_missing_state_is_computed(void) {
     CU_ASSERT_DOUBLE_EQUAL(saved.particles[0].position.x, 3 * 0.1 * 2, 1e-15);
     nb_saved_free(&saved);
   }
-  struct nb_model *model = nb_start_model(&it.scene, &folder.options, &error);
+  struct nb_model *model = nb_model_create(&it.scene, &folder.options, &error); /* by nb_start_model */
   CU_ASSERT_PTR_NOT_NULL_FATAL(model);
   CU_ASSERT(model->cycle == 3 && written_now(model, "D.x") == model->particles.position[0].x);
   nb_model_free(model);
