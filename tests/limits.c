@@ -4,6 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../src/input/scene.h"
 #include "suites.h"
@@ -308,6 +309,92 @@ static void targets_of_servos(void) {
   }
 }
 
+/* ---- contact tests ---- */
+
+/* A segment with `follow` has one step for each point of its file. --set follow=FILE replaces all segments of a page, which
+ * may have none, by one, with a snapshot if any of them has one. */
+static void files_of_points(void) {
+  static const struct {
+    const char *segments;
+    bool set, snapshot;
+  } rows[] = {
+      {"segment a follow %s\n", false, false},
+      {"segment a follow %s\nsnapshot\n", false, true},
+      {"", true, false},
+      {"segment a overlap to 1\nsegment b slip by 1\n", true, false},
+      {"segment a overlap to 1\nsnapshot\nsegment b slip by 1\n", true, true},
+      {"segment a overlap to 1\nsegment b slip by 1\nsnapshot\n", true, true},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char path[] = "/tmp/nineball-points-XXXXXX", segments[256], setting[64];
+    const char *settings[] = {setting, NULL};
+    struct words page = {0};
+    struct written it;
+    FILE *file = written_file(path);
+    fputs("approach/-\tslip/-\n1\t0\n2\t0.25\n3\t-0.5\n", file);
+    fclose(file);
+    snprintf(segments, sizeof segments, rows[k].segments, path);
+    snprintf(setting, sizeof setting, "follow=%s", path);
+    words_add(&page,
+              "path\nunits none\nmaterial rock young 1 poisson 0.3 friction 0.5\nnormal hertz\n"
+              "shear mindlin_deresiewicz\ncontact sphere 4 rock with wall rock\n%s",
+              segments);
+    written_scene_set(&it, &page, rows[k].set ? settings : NULL);
+    CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 1);
+    const struct nb_stage *stage = &it.scene.stages[0];
+    CU_ASSERT_STRING_EQUAL(stage->name, rows[k].set ? "follow" : "a");
+    CU_ASSERT_EQUAL(it.scene.path_replaced, rows[k].set);
+    CU_ASSERT_EQUAL(stage->cycles, 3);
+    CU_ASSERT_EQUAL(stage->record_interval, 1);
+    CU_ASSERT_EQUAL(stage->snapshot, rows[k].snapshot);
+    CU_ASSERT_EQUAL_FATAL(stage->segment.point_count, 3);
+    CU_ASSERT_EQUAL(stage->segment.points[1].approach, 2);
+    CU_ASSERT_EQUAL(stage->segment.points[2].slip, -0.5);
+    const struct nb_wall *wall = &it.scene.walls[0]; /* along y, as long as the diameter of the particle */
+    CU_ASSERT(wall->ex == 0 && wall->ey == 1 && wall->h1 == -4 && wall->h2 == 4);
+    written_free(&it);
+    unlink(path);
+  }
+}
+
+/* What segments set: values or differences, forces or displacements, and 100 steps unless they say something else. */
+static void parts_of_segments(void) {
+  static const struct {
+    const char *segment;
+    struct nb_target normal, shear;
+    unsigned long steps;
+  } rows[] = {
+#define KEPT {false, true, 0}
+      {"overlap to 2", {false, false, 2}, KEPT, 100},
+      {"overlap by 2", {false, true, 2}, KEPT, 100},
+      {"normal to 2 in 7 steps", {true, false, 2}, KEPT, 7},
+      {"normal by -2", {true, true, -2}, KEPT, 100},
+      {"slip to -3", KEPT, {false, false, -3}, 100},
+      {"slip by 3 in 1 step", KEPT, {false, true, 3}, 1},
+      {"shear to -3 hold normal", {true, true, 0}, {true, false, -3}, 100},
+      {"in 9 steps shear by 3 overlap to 1", {false, false, 1}, {true, true, 3}, 9},
+      {"hold shear overlap by 1", {false, true, 1}, {true, true, 0}, 100},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "path\nunits none\nmaterial rock kn 1 ks 1 friction 0.5\ncontact disc 4 rock with disc 5 rock\n"
+              "segment a %s\n",
+              rows[k].segment);
+    written_scene(&it, &page);
+    const struct nb_segment *segment = &it.scene.stages[0].segment;
+    const struct nb_target *got[] = {&segment->normal, &segment->shear}, *wanted[] = {&rows[k].normal, &rows[k].shear};
+    for (int t = 0; t < 2; t++) {
+      CU_ASSERT_EQUAL(got[t]->force, wanted[t]->force);
+      CU_ASSERT_EQUAL(got[t]->relative, wanted[t]->relative);
+      CU_ASSERT_EQUAL(got[t]->value, wanted[t]->value);
+    }
+    CU_ASSERT_EQUAL(it.scene.stages[0].cycles, rows[k].steps);
+    written_free(&it);
+  }
+}
+
 /* ---- damping ---- */
 
 /* What statements set: `none` sets all five settings, a statement for contacts those of walls too, unless they have their
@@ -498,6 +585,8 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, regions);
   CU_ADD_TEST(suite, shapes_of_regions);
   CU_ADD_TEST(suite, targets_of_servos);
+  CU_ADD_TEST(suite, files_of_points);
+  CU_ADD_TEST(suite, parts_of_segments);
   CU_ADD_TEST(suite, settings_of_damping);
   CU_ADD_TEST(suite, limits_of_damping);
   CU_ADD_TEST(suite, pairs);
