@@ -200,11 +200,18 @@ static void regions(void) {
       {"region A inside 0.5|boundary circl 0 0 radius 9", "circl"},
       {"region A all from a", NULL},
       {"region A all from b", "expected the name of a stage of this page, found `b`"},
-      {"region A all from a|region A all", "already"},
-      {"monitor A disc 1|region A all", "already"},
+      {"region A all from a|region A all", "there is a region `A` already, on line 5"},
+      {"monitor A disc 1|region A all", "there is a monitor `A` already, on line 5"},
+      {"region A all|monitor A disc 1", "there is a region `A` already, on line 5"},
+      {"monitor A disc 1|monitor A disc 1", "there is a monitor `A` already, on line 5"},
   };
   static const struct row later[] = {{"boundary circle 0 0 radius 9", NULL}, {"", "a scene with a boundary"}};
+  static const struct row repeated[] = {
+      {"repeat from a 1 more time", NULL},
+      {"repeat from a x more times", "`x`"}, /* the name may be that of a repetition */
+      {"stage b|cycles 1", "the name of a stage of this page, found `a-2`"}};
   READ(rows, SCENE "disc 0 0 radius 1 m\n", RUN);
+  READ(repeated, SCENE "disc 0 0 radius 1 m\nregion A all from a-2" RUN, "\n");
   READ(later, SCENE "disc 0 0 radius 1 m\nregion A inside 0.5" RUN "stage b\ncycles 1\nstage c\ncycles 1\n", "\n");
 }
 

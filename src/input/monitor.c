@@ -48,7 +48,7 @@ bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const stru
 /* Takes the word between the two objects of a contact: `disc 5 with wall south`. */
 static bool take_with(struct nb_reader *reader) {
   const bool forgotten = nb_token_is(reader, "disc") || nb_token_is(reader, "sphere") || nb_token_is(reader, "wall");
-  return (!forgotten && nb_token_skip(reader, "with")) ||
+  return nb_token_skip(reader, "with") ||
          nb_expected(reader,
                      forgotten ? "write `with` between the two partners of the contact: `disc 1 with wall south`"
                                : "write `with` between the two partners of the contact: `disc 1 with disc 2`",
