@@ -140,6 +140,8 @@ static void particles(void) {
       {"lattice discs 1 by 1 radius 1 m spacing 1e308", NULL},
       {"lattice discs 2 by 1 radius 1 m spacing 1e308", "finite coordinates"},
       {"lattice discs 1 by 2 radius 1 m spacing 1e308", "finite coordinates"},
+      {"lattice discs square 2 by 1 from 20 20 radius 1 m", NULL},
+      {"lattice discs hexagonal 2 by 1 from 20 20 radius 1 m", NULL},
       {"lattice discs square hexagonal 2 by 1 radius 1 m", "`square` or `hexagonal`, found both"},
       {"disc 5 5 radius 1 n fixed", NULL},
       {"disc 5 5 radius 1 n", "a material with a density for a free particle"},

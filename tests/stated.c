@@ -946,7 +946,7 @@ static void particles_that_cannot_be_removed(void) {
       {"remove disc 0", "", "from 1 to 6"},
       {"remove discs 3 to 2", "", "from 3 to 6"},
       {"remove discs 3 to 7", "", "from 3 to 6"},
-      {"remove w", "", "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`"},
+      {"remove w", "", "`disc N`, `discs N to M`, `sphere N`, `spheres N to M` or `wall NAME`"},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     for (int later = 0; later < 2; later++) {
