@@ -281,6 +281,7 @@ static void limits_of_damping(void) {
       {"damping ratio 1|damping none", "the damping of contacts is given twice, first on line 4"},
       {"damping mass 1|damping none", "the damping of all particles is given twice, first on line 4"},
       {"damping critical beyond overlap 1|damping none", "`damping critical` is given twice, first on line 4"},
+      {"damping centred|damping walls none", NULL},
       {"damping centred|damping none", "the time of the dashpots' velocity is given twice, first on line 4"},
       {"normal hertz|damping walls ratio 1|damping ratio 1|damping mass 1|damping critical beyond overlap 1|damping "
        "late",
