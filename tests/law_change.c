@@ -109,6 +109,7 @@ static void a_new_shear_law_begins_without_displacement(void) {
     words_add(&page,
               "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0.25 ks 200 friction %s\nnormal hertz\n"
               "shear %s\nsphere 0 0.5 radius 1 m\nwall w -9 0 to 9 0 m velocity 0.5 0\nmonitor C sphere 1 with wall w\n"
+              "material n density 1 kn 1 young 1000 poisson 0.25 ks 200 friction 1\nsphere 50 50 radius 1 n\n"
               "step 0.001\nrecord C.shear energy.shear energy.changed energy.residual\n"
               "stage a\ncycles 4\nstage b\n%s\ncycles 3\n",
               laws[k][1], laws[k][0], laws[k][2]);

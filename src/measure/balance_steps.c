@@ -123,7 +123,7 @@ static double shear_energy(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    if (!nb_touches(contacts, c) || !material_pair->shear || !material_pair->shear->stored)
+    if (!material_pair->shear || !material_pair->shear->stored)
       continue;
     const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
     double history[NB_HISTORY], buffer[NB_HISTORY];

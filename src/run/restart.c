@@ -66,18 +66,15 @@ static bool same_values(const char *path, const struct nb_start *start) {
 }
 
 /* True if the folder has states of the stage from an older text of the page, with the same values of its variables.
- * `delete`: deletes them. */
-static bool find_outdated(const struct nb_scene *scene, const struct nb_options *options, bool delete) {
-  char prefix[3 * NB_NAME_SIZE], path[PATH_SIZE], current[PATH_SIZE];
-  struct nb_error error;
+ * `current`: the path of the state of the present text. `delete`: deletes the older ones. */
+static bool find_outdated(const char *current, const struct nb_scene *scene, const struct nb_options *options,
+                          bool delete) {
+  char prefix[3 * NB_NAME_SIZE], path[PATH_SIZE];
   const size_t length = (size_t)name_prefix(prefix, sizeof prefix, scene);
   DIR *folder = opendir(nb_states_folder(options));
   bool found = false;
-  if (!folder || nb_start_path(current, sizeof current, scene, options, &error)) {
-    if (folder)
-      closedir(folder);
+  if (!folder)
     return false;
-  }
   for (struct dirent *entry; (entry = readdir(folder));) {
     const char *name = entry->d_name;
     if (strncmp(name, prefix, length) != 0 || strspn(name + length, "0123456789abcdef") != HASH_SIZE ||
@@ -99,9 +96,9 @@ enum nb_state_presence nb_start_presence(const struct nb_scene *scene, const str
   struct nb_error error;
   if (nb_start_path(path, sizeof path, scene, options, &error))
     return NB_STATE_MISSING;
-  return access(path, R_OK) == 0                ? NB_STATE_PRESENT
-         : find_outdated(scene, options, false) ? NB_STATE_OUTDATED
-                                                : NB_STATE_MISSING;
+  return access(path, R_OK) == 0                      ? NB_STATE_PRESENT
+         : find_outdated(path, scene, options, false) ? NB_STATE_OUTDATED
+                                                      : NB_STATE_MISSING;
 }
 
 bool nb_start_is_ready(const struct nb_scene *scene, const struct nb_options *options) {
@@ -235,7 +232,7 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
   if (!status)
     status = nb_saved_write(saved, path, error);
   if (!status) {
-    find_outdated(scene, options, true);
+    find_outdated(path, scene, options, true);
     nb_checkpoint_remove(start->scene, options, saved->hash);
   }
   return status;
