@@ -85,7 +85,7 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
 static void override_timing(const struct nb_scene_reading *reading, struct nb_reader *reader, struct given *given) {
   if (reader != &reading->setting)
     given->timing = given->timing && nb_setting_find(reading, "damping") == 0;
-  else if (!reader->bad && (given->all || !given->timing))
+  else if (given->all || !given->timing)
     nb_expected_at(
         reader, &reader->tokens[1],
         "to set another kind from here, give its value a name in the page, `let zeta = 0.1` and `damping ratio $zeta`, "
@@ -119,7 +119,7 @@ NB_APPLY(apply_damping) {
       nb_set_twice(reader, parts[k].name, *parts[k].line);
   if (reader->bad)
     return;
-  if ((given.all || given.walls) && given.of.contact_kind == NB_CONTACT_RATIO && given.value > 1 && !given.meant)
+  if (given.of.contact_kind == NB_CONTACT_RATIO && given.value > 1 && !given.meant)
     nb_warn(
         &scene->warnings, line,
         "a damping ratio above 1 is more than critical damping: %g is %g %% of it; if that is meant, write `ratio %g "
