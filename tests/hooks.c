@@ -235,6 +235,26 @@ static void passes_of_a_stage(void) {
   written_free(&it);
 }
 
+/* The resolution of the coordinates is tested during the run, too. Two discs that overlap by 1.05e-9 move past the
+ * coordinate 8192, beyond which the resolution is 1.8e-12 instead of 9e-13; the limit is a thousandth of the overlap. */
+static void particles_that_move_too_far(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-9\nstep 1\ndisc 8191 0 radius 1 m velocity 0.04 0\n"
+                   "disc 8191 1.99999999895 radius 1 m velocity 0.04 0\nrecord cycle\nstage a\ncycles 60\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 20);
+  CU_ASSERT_EQUAL(model->warnings.count, 0);
+  written_cycles(model, 40);
+  CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
+  CU_ASSERT_PTR_NOT_NULL(strstr(model->warnings.list[0].text, "has a resolution (ulp) of 1.81899e-12"));
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* The affine motion is a hook during its stage, and in the first cycle of the next stage, in which the imposed velocity
  * is subtracted. */
 static void affine_motion_of_a_stage(void) {
@@ -409,6 +429,7 @@ void suite_hooks(void) {
   CU_add_test(suite, "passes of a stage", passes_of_a_stage);
   CU_ADD_TEST(suite, passes_of_affine_motion_twice);
   CU_ADD_TEST(suite, fields_that_a_plan_keeps);
+  CU_ADD_TEST(suite, particles_that_move_too_far);
   CU_add_test(suite, "affine motion of a stage", affine_motion_of_a_stage);
   CU_add_test(suite, "rotation of a stage", rotation_of_a_stage);
 }
