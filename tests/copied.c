@@ -266,6 +266,37 @@ static void hash_of_the_statements(void) {
   }
 }
 
+/* The hash depends on the particles of a packing, not only on the name of its file. */
+static void hash_of_a_packing(void) {
+  static const struct {
+    const char *columns;
+    bool same;
+  } files[] = {{"x/-\ty/-\tradius/-\n1\t2\t3\n10\t2\t4\n", true},
+               {"# comment\nx/-\tz/-\ty/-\tradius/-\n1\t9\t2\t3\n10\t9\t2\t4\n", true},
+               {"x/-\ty/-\tradius/-\n1.5\t2\t3\n10\t2\t4\n", false},
+               {"x/-\ty/-\tradius/-\n1\t2.5\t3\n10\t2\t4\n", false},
+               {"x/-\ty/-\tradius/-\n1\t2\t3.5\n10\t2\t4\n", false},
+               {"x/-\ty/-\tradius/-\n1\t2\t3\n10\t2\t4.5\n", false},
+               {"x/-\ty/-\tradius/-\n10\t2\t4\n1\t2\t3\n", false}};
+  char path[] = "/tmp/nineball-copied-XXXXXX";
+  unsigned long long first_hash = 0;
+  fclose(written_file(path));
+  for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+    struct words page = {0};
+    struct written it;
+    FILE *file = fopen(path, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+    fputs(files[k].columns, file);
+    fclose(file);
+    words_add(&page, HEAD "packing %s discs m\nstep 0.1\nrecord time\nstage a\ncycles 3\n", path);
+    written_scene(&it, &page);
+    first_hash = k == 0 ? it.scene.stages[0].hash : first_hash;
+    CU_ASSERT_EQUAL(it.scene.stages[0].hash == first_hash, files[k].same);
+    written_free(&it);
+  }
+  unlink(path);
+}
+
 /* Only settings that override statements change the hash by themselves. */
 static void hash_of_the_settings(void) {
   static const char *const counts[] = {"normal=a", "shear=a", "step=a", "damping=a", "refine=2", "soften=2"};
@@ -293,5 +324,6 @@ void suite_copied(void) {
   CU_ADD_TEST(suite, memory_of_the_shear_law);
   CU_ADD_TEST(suite, values_of_the_other_page);
   CU_ADD_TEST(suite, hash_of_the_statements);
+  CU_ADD_TEST(suite, hash_of_a_packing);
   CU_ADD_TEST(suite, hash_of_the_settings);
 }
