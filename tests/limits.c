@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -173,6 +174,39 @@ static void lattices(void) {
     CU_ASSERT_EQUAL(particle->line, k < 4 ? 4 : k < 6 ? 5 : 6);
   }
   written_free(&it);
+}
+
+/* With `sorted` the particles of a packing are in rows as high as the largest one, here 0.5, with increasing x in a row, and
+ * increasing y at the same x. Without it they are in the order of the file. */
+static void rows_of_a_sorted_packing(void) {
+  enum { COUNT = 40 };
+  char path[] = "/tmp/nineball-limits-XXXXXX";
+  FILE *file = written_file(path);
+  fputs("x/-\ty/-\tradius/-\n", file);
+  for (int k = 0; k < COUNT; k++)
+    fprintf(file, "%d\t%g\t%g\n", 7 * k % 5 - 2, 0.2 * (3 * k % 8), k ? 0.1 : 0.25);
+  fclose(file);
+  for (int sorted = 0; sorted < 2; sorted++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\npacking %s discs m%s\nstep 1\nrecord time\nstage a\ncycles 1\n",
+              path, sorted ? " sorted" : "");
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, COUNT);
+    const struct nb_particle *p = it.scene.particles;
+    for (int k = 0; k < COUNT; k++) {
+      if (!sorted)
+        CU_ASSERT(p[k].x == 7 * k % 5 - 2 && p[k].radius == (k ? 0.1 : 0.25));
+      if (!sorted || k == 0)
+        continue;
+      const double row = floor(p[k].y / 0.5), before = floor(p[k - 1].y / 0.5);
+      CU_ASSERT(before < row ||
+                (before == row && (p[k - 1].x < p[k].x || (p[k - 1].x == p[k].x && p[k - 1].y < p[k].y))));
+    }
+    written_free(&it);
+  }
+  unlink(path);
 }
 
 /* ---- regions ---- */
@@ -364,6 +398,7 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, most_particles);
   CU_ADD_TEST(suite, particles);
   CU_ADD_TEST(suite, lattices);
+  CU_ADD_TEST(suite, rows_of_a_sorted_packing);
   CU_ADD_TEST(suite, regions);
   CU_ADD_TEST(suite, files_of_points);
   CU_ADD_TEST(suite, limits_of_damping);

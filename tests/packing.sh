@@ -28,6 +28,11 @@ result $? 'the packing stored with the cases is the one that nine-discs computes
 diff "$work/photo-5.tsv" cases/packings/photo-5.tsv >>"$work/said"
 result $? 'photo-5.tsv holds the positions of photoelastic-discs at stage A, rounded'
 
+cp tests/bad/packing-small.state "$pages"
+printf '```scene\nmaterial rock kn 1 MN/m\nmaterial sand density 1 g/cm3 kn 1 MN/m\npacking packing-small.state\nrecord time\nstep 1 us\nstage go\ncycles 1\n```\n' >"$pages/fixed.md"
+"$nineball" explain "$pages/fixed.md" >"$work/out" 2>"$work/said"
+result $? 'the material of a fixed particle needs no density'
+
 # Randomly placed spheres of two materials, one fixed, one removed; they move for 500 cycles.
 cat >"$pages/made.md" <<'END'
 # At random
