@@ -76,7 +76,7 @@ has the number of cycles of this document's run. N is the number of cycles, ε =
 - **bounce**: a disc bounces on a floor. The scheme, not rounding, causes the drift of the energy. The error of a bounce
   is of the order of $(\omega \Delta t)^{5/2}$, with a sign that depends on where in a step the contact begins. It adds
   up as the square root of the number of bounces. The work balance, kinetic energy minus the work of
-  all forces (`work.residual`), has no such error. It drifts by rounding.
+  all forces (`work.balance`), has no such error. It drifts by rounding.
 - **loop**: the tangential displacement of two spheres follows a closed loop of 40 steps. The forces at the end of each
   loop drift as ε N/40. The 40 increments are rounded, so their sum is not quite zero.
 

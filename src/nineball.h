@@ -338,7 +338,7 @@ struct nb_removal {
   int line;
 };
 
-/* `cell`: the periodic cell. Its sides are the columns of the matrix H with the rows h[0] h[1] and h[2] h[3]. */
+/* `periodic cell`: the periodic cell. Its sides are the columns of the matrix H with the rows h[0] h[1] and h[2] h[3]. */
 struct nb_scene_cell {
   double x, y; /* its centre, m */
   double h[4]; /* H, m */

@@ -16,7 +16,7 @@ static const char *const names[TERMS] = {"energy.gravity",  "energy.walls",   "e
                                          "energy.changed",  "energy.imposed", "energy.removed"};
 #define RECORD                                                                                                         \
   "record energy.gravity energy.walls energy.damped energy.friction energy.sliding energy.shear energy.changed "       \
-  "energy.imposed energy.removed energy.kinetic energy.stored energy.residual\n"
+  "energy.imposed energy.removed energy.kinetic energy.stored energy.balance\n"
 #define BIT(term) (1u << (term))
 
 /* Two discs that collide, and one without contacts. */
@@ -33,7 +33,7 @@ static const char *const names[TERMS] = {"energy.gravity",  "energy.walls",   "e
 #define FOUR                                                                                                           \
   "disc 1 1 radius 1 m velocity -1 0\ndisc -0.99 1 radius 1 m\ndisc 1 -1 radius 1 m\ndisc -1 -0.99 radius 1 "          \
   "m\n" CIRCLE
-#define CELL "cell 0 0 to 9 9\ndisc 1 1 radius 1 m velocity 0.1 0\ndisc 3 1.1 radius 1 m\n"
+#define CELL "periodic cell 0 0 to 9 9\ndisc 1 1 radius 1 m velocity 0.1 0\ndisc 3 1.1 radius 1 m\n"
 
 static void each_energy_source_has_its_term(void) {
   static const struct {

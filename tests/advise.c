@@ -345,7 +345,7 @@ static void pages_whose_case_depends_on_the_step_have_one_phase(void) {
       MATERIAL LATTICE RUN "cycles 100\n",
       MATERIAL LATTICE RUN UNTIL "stage b\ncycles 100\n",
       MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "box strain -1e-5 per cycle 0 per cycle\n" UNTIL,
-      MATERIAL "cell 0 0 to 8 8\n" LATTICE RUN "cell strain -1e-5 per cycle 0 per cycle\n" UNTIL,
+      MATERIAL "periodic cell 0 0 to 8 8\n" LATTICE RUN "cell strain -1e-5 per cycle 0 per cycle\n" UNTIL,
       MATERIAL LATTICE RUN "affine strain -1e-5 per cycle 0 per cycle\n" UNTIL,
       MATERIAL "boundary circle 4 4 radius 4\n" LATTICE RUN "boundary strain -1e-5 per cycle 0 per cycle\n" UNTIL,
       MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "servo mean 1 on box through box at most 1e-6 per cycle\n" UNTIL,
@@ -471,7 +471,8 @@ static void when_softer_contacts_save_nothing(void) {
 
 /* Random discs at rest in a periodic cell that shrinks. In some realizations discs collide. */
 #define GAS                                                                                                            \
-  "units none\n%s%smaterial m density 1 kn 1000 ks 500 friction 0.5\nnormal linear\nshear %s\ncell 0 0 to 9 9\n"       \
+  "units none\n%s%smaterial m density 1 kn 1000 ks 500 friction 0.5\nnormal linear\nshear %s\nperiodic cell 0 0 to 9 " \
+  "9\n"                                                                                                                \
   "grading g 1 6 0.7 8\nfill discs cell g m seed %s attempts 10000 else skip\nregion A all\nrecord "                   \
   "A.porosity energy.kinetic\nstep %.17g\nstage a\ncell strain (-%s) -0.01\nuntil time above %s at most 100000 "       \
   "cycles\n"

@@ -42,7 +42,7 @@ static void cell_and_affine_strain_agree(void) {
           "2\n"
           "record %s\nstage s\n%s strain 0.2 -0.1 c12 0.3 c21 0.05\ncycles 700\n"
           "stage t\n%s strain -0.5 0.1\ncycles 300\n",
-          c ? "" : "cell -40 -40 to 40 40\n", names[n], carries[c], carries[c]);
+          c ? "" : "periodic cell -40 -40 to 40 40\n", names[n], carries[c], carries[c]);
       value[c] = ends(&page, names[n]);
     }
     CU_ASSERT_EQUAL(value[0], value[1]);
@@ -58,11 +58,12 @@ static void a_reversed_strain_restores_the_cell(void) {
   static const double first[] = {80, 0, 0, 80};
   for (size_t n = 0; n < 4; n++) {
     struct words page = {0};
-    words_add(&page,
-              "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 0 0 radius 1 m\ncell -40 -40 to 40 40\n"
-              "record %s\nstage s\ncell strain 0.2 -0.1 c12 0.15 c21 0.05\ncycles 100\nstage t\nreverse "
-              "velocities\ncycles 100\n",
-              names[n]);
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 0 0 radius 1 m\nperiodic cell -40 -40 to 40 40\n"
+        "record %s\nstage s\ncell strain 0.2 -0.1 c12 0.15 c21 0.05\ncycles 100\nstage t\nreverse "
+        "velocities\ncycles 100\n",
+        names[n]);
     CU_ASSERT_DOUBLE_EQUAL(ends(&page, names[n]), first[n], 1e-3);
   }
 }
@@ -71,13 +72,13 @@ static void a_reversed_strain_restores_the_cell(void) {
  * rate. Returns the energy residual, and sets *driven to the imposed energy. `which`: 0 for a boundary and affine
  * motion, 1 for a cell; dt: the step. */
 static double residual(int which, double dt, double *driven) {
-  static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
+  static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "periodic cell -5 -5 to 5 5\n"};
   static const char *const strain[] = {"affine strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
                                        "cell strain -0.1 -0.12 c12 0.05 c21 -0.01\n"};
   static const char *const back[] = {"boundary strain 0.03 -0.02\naffine none\n", "cell strain 0.03 0.01\n"};
   double value[2];
   for (int k = 0; k < 2; k++) {
-    static const char *const names[] = {"energy.residual", "energy.imposed"};
+    static const char *const names[] = {"energy.balance", "energy.imposed"};
     struct words page = {0};
     words_add(&page,
               "units none\nmaterial m density 2 kn 4000\nstep %g\ngravity 2 -3\n"
@@ -107,11 +108,12 @@ static void zero_velocities_is_as_at_time_0(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
-  words_add(&page,
-            "units none\nmaterial m density 1e9 kn 1000\ndamping stiffness 0.1\nstep 1e-3\ncell -10 -10 to 10 10\n"
-            "disc 9.4 0 radius 1 m\ndisc -9.4 0 radius 1 m\nmonitor P disc 1 with disc 2\nrecord P.dashpot.normal "
-            "energy.kinetic\n"
-            "stage s\ncell strain -0.1 0\ncycles 3\nstage t\nzero velocities\ncycles 1\n");
+  words_add(
+      &page,
+      "units none\nmaterial m density 1e9 kn 1000\ndamping stiffness 0.1\nstep 1e-3\nperiodic cell -10 -10 to 10 10\n"
+      "disc 9.4 0 radius 1 m\ndisc -9.4 0 radius 1 m\nmonitor P disc 1 with disc 2\nrecord P.dashpot.normal "
+      "energy.kinetic\n"
+      "stage s\ncell strain -0.1 0\ncycles 3\nstage t\nzero velocities\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
@@ -133,7 +135,7 @@ static void the_affine_motion_ends(void) {
   struct nb_error error;
   words_add(
       &page,
-      "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ncell -10 -10 to 10 10\ndisc 0 0 radius 1 m\n"
+      "units none\nmaterial m density 1 kn 1000\nstep 1e-3\nperiodic cell -10 -10 to 10 10\ndisc 0 0 radius 1 m\n"
       "disc 4 0 radius 1 m\nrecord time\nstage s\ncell strain -0.1 0\ncycles 1\nstage t\ncell strain 0 0\ncycles 2\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
@@ -181,7 +183,7 @@ static void a_reversed_particle_of_a_strained_cell_returns(void) {
     struct words page = {0};
     words_add(
         &page,
-        "units none\nmaterial m density 1 kn 1\nstep 0.01\ncell -40 -40 to 40 40\n"
+        "units none\nmaterial m density 1 kn 1\nstep 0.01\nperiodic cell -40 -40 to 40 40\n"
         "disc 10 0 radius 1 m velocity 0 0.5\nmonitor A disc 1\nrecord %s\nstage s\ncell strain 0.2 0\ncycles 100\n"
         "stage t\nreverse velocities\ncycles 100\n",
         names[k]);
@@ -198,7 +200,7 @@ static void one_strain_rate_for_all(void) {
       {"stage s\naffine strain 0.1 -0.2\n", true},
       {"disc 9 9 radius 1 m fixed\nstage s\naffine strain 0.1 -0.2\n", false},
       {"stage s\naffine strain 0.1 -0.2 accumulated\n", true},
-      {"cell -9 -9 to 9 9\nstage s\ncell strain 0.1 -0.2\n", true},
+      {"periodic cell -9 -9 to 9 9\nstage s\ncell strain 0.1 -0.2\n", true},
       {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\naffine strain 0.1 -0.2\n", true},
       {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\naffine strain 0.1 -0.3\n", false},
       {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\n", false},

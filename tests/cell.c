@@ -27,7 +27,7 @@ static void gas_of(struct written *it, struct radii radii, const char *strain, c
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
   words_add(&page,
             "units none\nmaterial a density 1 kn 3e3 ks 2e3 friction 0.4\nmaterial b density 2 kn 9e3 ks 3e3 friction "
-            "0.2\nshear linear\nstep 1e-3\ncell -8 -8 to 8 8\n%s",
+            "0.2\nshear linear\nstep 1e-3\nperiodic cell -8 -8 to 8 8\n%s",
             more);
   struct placed placed = {.fraction = 0.5, .side = 16};
   for (int k = 0; k < DISCS; k++) {
@@ -41,7 +41,7 @@ static void gas_of(struct written *it, struct radii radii, const char *strain, c
   }
   words_add(&page,
             "monitor A disc 1\nrecord A.x A.angle contacts cell.stress.xx cell.stress.xy cell.stress.yx "
-            "energy.kinetic energy.residual work.residual momentum.x\nstage s\n%s\ncycles 3000\n",
+            "energy.kinetic energy.balance work.balance momentum.x\nstage s\n%s\ncycles 3000\n",
             strain);
   written_scene(it, &page);
 }
@@ -208,11 +208,11 @@ static void storage_threads_and_instructions_change_no_bit(void) {
 static void a_strain_is_uniform(void) {
   struct written it;
   struct words page = {0};
-  words_add(
-      &page,
-      "units none\nmaterial a density 1 kn 1\ncell 0 0 to 20 10\nlattice discs 4 by 2 from 3 3 radius 1 spacing 4 a\n"
-      "disc 38 -5 radius 1 a\nstep 0.01\nmonitor A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.yy "
-      "cell.strain.xx cell.strain.xy energy.kinetic\nstage s\ncell strain 0.01 -0.02 c12 0.05\ncycles 100\n");
+  words_add(&page,
+            "units none\nmaterial a density 1 kn 1\nperiodic cell 0 0 to 20 10\nlattice discs 4 by 2 from 3 3 radius 1 "
+            "spacing 4 a\n"
+            "disc 38 -5 radius 1 a\nstep 0.01\nmonitor A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.yy "
+            "cell.strain.xx cell.strain.xy energy.kinetic\nstage s\ncell strain 0.01 -0.02 c12 0.05\ncycles 100\n");
   written_scene(&it, &page);
   struct nb_model *model = run(&it, NULL, 100);
   const double xx = pow(1.0001, 100), yy = pow(0.9998, 100);
@@ -263,7 +263,7 @@ static void the_gap_is_that_of_the_nearest_two(void) {
     const double x = 3 * k, y = -7 * k;
     words_add(&across,
               "units none\nmaterial m density 1 kn 1\ndisc %g %g radius 0.25 m\ndisc %g %g radius 0.5 m\n"
-              "cell %g %g to %g %g\nskin 1\nrecord gap\nstep 0.01\nstage s\ncycles 1\n",
+              "periodic cell %g %g to %g %g\nskin 1\nrecord gap\nstep 0.01\nstage s\ncycles 1\n",
               x - 4.5, y + 0.25, x + 4.5, y + 0.25, x - 5, y - 5, x + 5, y + 5);
     written_scene(&it, &across);
     model = written_model(&it, NULL);
@@ -291,7 +291,7 @@ static void a_reversal_with_another_strain(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ncell -5 -5 to 5 5\nstep 0.25\n"
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nperiodic cell -5 -5 to 5 5\nstep 0.25\n"
                    "record cell.xx\nstage s\ncell strain 0.5 0\ncycles 1\n"
                    "stage t\nreverse velocities\ncell strain 1 0\ncycles 1\n");
   written_scene(&it, &page);
@@ -306,7 +306,7 @@ static void regions_across_the_side_of_a_cell(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0.5 5 radius 0.25 m\ndisc 5 5 radius 0.25 m\n"
-                   "cell 0 0 to 10 10\nregion C circle 9.5 5 radius 2\nregion B box 8 4 to 11 6\n"
+                   "periodic cell 0 0 to 10 10\nregion C circle 9.5 5 radius 2\nregion B box 8 4 to 11 6\n"
                    "record C.particles B.particles C.porosity B.porosity\nstep 0.1\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);

@@ -95,8 +95,8 @@ static void zigzags(void) {
 static void hexagonal(void) {
   const double squeezed = 0.999, high = sqrt(3) * squeezed;
   struct words page = begin(), other = begin();
-  words_add(&page, "cell 0 0 to 8 %.17g\n", 4 * high),
-      words_add(&other, "cell 0 0 to %.17g %.17g\n", 8 * squeezed, 4 * sqrt(3));
+  words_add(&page, "periodic cell 0 0 to 8 %.17g\n", 4 * high),
+      words_add(&other, "periodic cell 0 0 to %.17g %.17g\n", 8 * squeezed, 4 * sqrt(3));
   for (int row = 0; row < 4; row++)
     for (int k = 0; k < 4; k++) {
       words_add(&page, "disc %.17g %.17g radius 1 m\n", 2 * k + row % 2 + 0.25, (row + 0.5) * high);
@@ -215,9 +215,9 @@ static void two_bends(void) {
  * In the row all stresses are equal, so none is above the mean. In the square lattice the stress has no major axis. */
 static void no_strong_particle_and_no_axis(void) {
   struct words row = begin(), square = begin();
-  words_add(&row, "cell 0 0 to 5.625 8\nlattice discs 3 by 1 from 1 1 radius 1 spacing 1.875 m\n");
+  words_add(&row, "periodic cell 0 0 to 5.625 8\nlattice discs 3 by 1 from 1 1 radius 1 spacing 1.875 m\n");
   is(&row, 0, 0, 0, 0);
-  words_add(&square, "cell 0 0 to 5.625 5.625\nlattice discs 3 by 3 from 1 1 radius 1 spacing 1.875 m\n"
+  words_add(&square, "periodic cell 0 0 to 5.625 5.625\nlattice discs 3 by 3 from 1 1 radius 1 spacing 1.875 m\n"
                      "disc 1.9375 1.9375 radius 0.0625 m\n");
   is(&square, 0, 0, 0, 0);
 }

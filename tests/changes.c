@@ -201,8 +201,9 @@ static void two_ramps(void) {
   }
   struct words page = {0};
   struct written it;
-  words_add(&page, "units none\nmaterial m density 1 kn 1\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\nstep 0.1\nrecord "
-                   "time\nstage a\nramp servo xx 5 on cell through cell at most 1\nramp material m kn 2\ncycles 1\n");
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\nperiodic cell 0 0 to 9 9\ndisc 1 1 radius 1 m\nstep 0.1\nrecord "
+            "time\nstage a\nramp servo xx 5 on cell through cell at most 1\nramp material m kn 2\ncycles 1\n");
   written_scene(&it, &page);
   CU_ASSERT(it.scene.stages[0].servo.ramp && it.scene.stages[0].changes[0].ramp);
   written_free(&it);

@@ -162,7 +162,7 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
  * since a stage. The run is interrupted in the middle of such a stage. */
 static const char head[] =
     "units none\nmaterial m density 3 kn 5000 ks 4000 friction 0.3\nshear linear\nregion A all\nstep 0.001\n"
-    "record time energy.residual work.residual energy.imposed energy.walls step.fracc step.stable step.single-contact "
+    "record time energy.balance work.balance energy.imposed energy.walls step.fracc step.stable step.single-contact "
     "A.stress.xx\n"
     "record A.strain.xx A.contacts.lost\nlattice discs 6 by 6 m radius 0.5 spacing 0.999 from 0.5 0.5\n";
 static const char *const scenes[] = {
@@ -178,14 +178,16 @@ static const char *const scenes[] = {
     "0.01 kn 9000\n"
     "ramp gravity 0 -50\nramp walls inward -0.2\ncycles 60\nsnapshot from change\n",
     "stage run\ncycles 10\nstage met\nuntil time above 0.005  every 40 cycles  at most 90 cycles\n",
-    "cell 0 0 to 6 6\nstage press\nservo isotropic 900 on cell through cell at most 1e-9 per cycle\nuntil time above "
+    "periodic cell 0 0 to 6 6\nstage press\nservo isotropic 900 on cell through cell at most 1e-9 per cycle\nuntil "
+    "time above "
     "0.02  at most 90 cycles\n",
-    "cell 0 0 to 6 6\nstage press\nservo isotropic 9 on cell through cell at most 1 per cycle\ncycles 20\n",
+    "periodic cell 0 0 to 6 6\nstage press\nservo isotropic 9 on cell through cell at most 1 per cycle\ncycles 20\n",
     "box 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage slide\nwall south velocity 3 0\ncycles 60\n"
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
     "stage pull\ngravity centripetal 2 about 3 3\ncycles 10\nstage harder\n"
     "ramp gravity centripetal 90 about 3 3\ncycles 60\nsnapshot from harder\n",
-    "gravity 0 -4\ncell 0 0 to 6 6\nstage strain\ncell strain 0.4 -0.4\ncycles 40\nstage fall\ncell strain 0 0\ncycles "
+    "gravity 0 -4\nperiodic cell 0 0 to 6 6\nstage strain\ncell strain 0.4 -0.4\ncycles 40\nstage fall\ncell strain 0 "
+    "0\ncycles "
     "50\n",
     "stage coarse\nstep 0.1\nallow unstable\ncycles 8\n",
 };
@@ -195,7 +197,7 @@ static const char *const scenes[] = {
  * interrupted at cycle 330, before this check, and at cycle 370. */
 static const char elastic[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\n"
-    "record time energy.residual\n";
+    "record time energy.balance\n";
 static const char *const spheres[] = {
     "box 0 0 to 6 6 m\nsphere 1 3 radius 0.5 m velocity 0.2 0\nsphere 1.85 3 radius 0.5 m\nsphere 2.9 3.1 radius 0.5 "
     "m\nstep 0.3 of "

@@ -19,7 +19,7 @@ damping   ratio 0.2
 box       0 0 to 8 8 m
 lattice   spheres 5 by 4 m radius 0.8 spacing 1.6 from 0.8 2
 region    A all
-record    time A.porosity A.strain.yy energy.damped energy.residual work.residual
+record    time A.porosity A.strain.yy energy.damped energy.balance work.balance
 gravity   0 -10
 step      0.002
 stage     fall

@@ -256,7 +256,7 @@ static void across_the_edge(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ncell 0 0 to 10 10\n"
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\nperiodic cell 0 0 to 10 10\n"
                    "disc 0.5 5 radius 1 m\ndisc 8.6 5 radius 1 m velocity 0 -1\ndisc 8.6 2 radius 1 m\n"
                    "record time\nstage a\ncycles 200\nsnapshot from a\n");
   written_scene(&it, &page);

@@ -36,7 +36,7 @@ static void a_particle_oscillates_through_the_point(void) {
   struct nb_result result;
   words_add(&page,
             "units none\nmaterial m density 2 kn 1\nstep %g\ndisc %.17g 4 radius 1 m\nmonitor D disc 1\n"
-            "record D.x D.y D.vx energy.gravity work.residual energy.residual\n"
+            "record D.x D.y D.vx energy.gravity work.balance energy.balance\n"
             "stage s\ngravity centripetal %g about 3 4\ncycles %d\n",
             dt, 3 + d, g, 4 * N + 2);
   written_scene(&it, &page);
@@ -63,11 +63,11 @@ static void a_circular_orbit(void) {
   struct nb_result result;
   run(&result,
       "material m density 2 kn 1\nstep 0.001\ndisc 2 0 radius 0.5 m velocity 0 1\nmonitor D disc 1\n"
-      "record D.x D.y energy.kinetic energy.residual\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 6283\n");
+      "record D.x D.y energy.kinetic energy.balance\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 6283\n");
   const double angle = 6.283 / 2;
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.x"), 2 * cos(angle), 1e-6);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.y"), 2 * sin(angle), 1e-6);
-  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.residual"), 0, 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.balance"), 0, 1e-7);
   nb_result_free(&result);
 }
 
@@ -100,7 +100,7 @@ static void rotation_off_and_on(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
                "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nmonitor D disc 1\ngravity 0 -1\n"
-               "record D.vx.half D.spin.half D.angle energy.changed work.residual\n"
+               "record D.vx.half D.spin.half D.angle energy.changed work.balance\n"
                "stage a\nrotation off\ncycles 1000\nstage b\nrotation on\ncycles 1000\n");
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 1000, 0), 5 - 0.25, 1e-3);
   CU_ASSERT_EQUAL(column(&result, 1000, 1), 0);
@@ -222,7 +222,7 @@ static void energy_of_released_springs(void) {
     words_add(
         &page,
         "units none\nmaterial m density 2 kn 1000\nstep 0.0005\ndisc 1 0 radius 1 m\ndisc -1 0 radius 1 m\n"
-        "boundary circle 0 0 radius 1\nrecord energy.changed energy.kinetic energy.residual energy.stored\n"
+        "boundary circle 0 0 radius 1\nrecord energy.changed energy.kinetic energy.balance energy.stored\n"
         "stage s\nboundary strain -0.1 0\ncycles 1000\nstage h\nboundary fixed\ncycles 1\nstage t\n%scycles 1000\n",
         ends[k]);
     written_scene(&it, &page);
@@ -259,7 +259,7 @@ static void energy_of_springs_to_walls(void) {
         text, sizeof text,
         "material m density 2 kn 1000\nstep 0.001\ndisc 5 0 radius 1 m\ndisc 0 0 radius 1 m\ndisc -5 0 radius 1 m\n"
         "%s\n"
-        "record energy.stored energy.removed energy.changed energy.residual energy.kinetic\n"
+        "record energy.stored energy.removed energy.changed energy.balance energy.kinetic\n"
         "stage a\ncycles 1\nstage b\nboundary circle 0 0 radius 4\nboundary fixed\ncycles 3\nstage c\nboundary none\n"
         "cycles 3\n",
         walls[k]);
@@ -380,7 +380,7 @@ static void velocities_are_means_of_half_steps(void) {
               {"", "affine strain 0.1 -0.2 shear 0.05"},
               {"", "affine strain 0.1 -0.2 accumulated"},
               {"boundary circle 0 0 radius 3\n", "boundary strain 0.1 -0.2 shear 0.05"},
-              {"cell -20 -20 to 20 20\n", "cell strain 0.1 -0.2"}};
+              {"periodic cell -20 -20 to 20 20\n", "cell strain 0.1 -0.2"}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;

@@ -25,7 +25,8 @@ static void a_region_at_the_corner_of_a_cell(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      "units none\nmaterial m density 1 kn 100\nlattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\ncell 0 0 to 8 8\n"
+      "units none\nmaterial m density 1 kn 100\nlattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\nperiodic cell 0 0 "
+      "to 8 8\n"
       "region R circle 0 0 radius 1.5\nrecord R.particles\nstep 0.001\nstage s\ncycles 1\n");
   CU_ASSERT_EQUAL(written_last(&result, "R.particles"), 4);
   nb_result_free(&result), written_free(&it);
@@ -55,10 +56,11 @@ static void a_cell_stays_wide_enough_or_not(void) {
     struct written it;
     struct nb_result result = {0};
     struct nb_error error = {0};
-    words_add(&words,
-              "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 1 m\ndisc 1 5 radius 1 m\ncell 0 0 to 5 9\n"
-              "skin 0.1\nrecord time\nstep 0.001\nstage s\ncell strain -1e-3 per cycle 0 per cycle\ncycles %d\n",
-              wide ? 150 : 223);
+    words_add(
+        &words,
+        "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 1 m\ndisc 1 5 radius 1 m\nperiodic cell 0 0 to 5 9\n"
+        "skin 0.1\nrecord time\nstep 0.001\nstage s\ncell strain -1e-3 per cycle 0 per cycle\ncycles %d\n",
+        wide ? 150 : 223);
     written_scene(&it, &words);
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), wide ? NB_OK : NB_BROKEN);
     CU_ASSERT(wide || strstr(error.text, "the skin, 4.2"));
@@ -71,9 +73,10 @@ static void straining_reduces_the_travel_limit(void) {
   struct words words = {0};
   struct written it;
   struct nb_error error;
-  words_add(&words, "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 0.5 m\ndisc 1 5 radius 0.5 m\ncell 0 0 "
-                    "to 9 9\nskin 0.4\n"
-                    "step 0.01\nstage s\ncell strain 0.3 0\ncycles 9\n");
+  words_add(&words,
+            "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 0.5 m\ndisc 1 5 radius 0.5 m\nperiodic cell 0 0 "
+            "to 9 9\nskin 0.4\n"
+            "step 0.01\nstage s\ncell strain 0.3 0\ncycles 9\n");
   written_scene(&it, &words);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
@@ -90,7 +93,7 @@ static void without_contacts_there_is_no_search(void) {
   struct nb_error error;
   words_add(&words,
             "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 0.5 m fixed\ndisc 1 5 radius 0.5 m fixed\n"
-            "cell 0 0 to 9 9\nstep 0.01\nstage s\ncell strain 0.3 0.1\ncycles 9\n");
+            "periodic cell 0 0 to 9 9\nstep 0.01\nstage s\ncell strain 0.3 0.1\ncycles 9\n");
   written_scene(&it, &words);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);

@@ -312,7 +312,7 @@ static void the_same_bits(void) {
   written_free(&it);
 }
 
-#define CELL ROCK "cell -3 2 to 47 32\n" /* 50 by 30 */
+#define CELL ROCK "periodic cell -3 2 to 47 32\n" /* 50 by 30 */
 
 /* No two images overlap, and centres are everywhere in the cell, also nearer than a radius to its edges. */
 static void no_overlap_across_edges(void) {
@@ -354,9 +354,9 @@ static void no_overlap_of_large_particles(void) {
     char page[512];
     size_t overlaps = 0;
     snprintf(page, sizeof page,
-             ROCK
-             "cell %.17g %.17g to %.17g %.17g\ngrading g %.17g 6 %.17g 9\nfill discs cell g rock seed %d attempts 3000 "
-             "else skip\n",
+             ROCK "periodic cell %.17g %.17g to %.17g %.17g\ngrading g %.17g 6 %.17g 9\nfill discs cell g rock seed %d "
+                  "attempts 3000 "
+                  "else skip\n",
              -3 * size, 2 * size, width - 3 * size, height + 2 * size, 5 * size, 4 * size, seed);
     make(&it, page);
     const struct nb_particle *at = it.scene.particles;
@@ -378,7 +378,7 @@ static void no_overlap_of_large_particles(void) {
 static void uniform_in_a_cell(void) {
   struct written it;
   int counts[100] = {0}, columns[100] = {0}, rows[100] = {0};
-  make(&it, TINY "cell -1 4 to 9 5\nfill discs cell dust rock seed 7 attempts 1 else stop\n");
+  make(&it, TINY "periodic cell -1 4 to 9 5\nfill discs cell dust rock seed 7 attempts 1 else stop\n");
   CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, DUST);
   for (size_t k = 0; k < DUST; k++) {
     const double x = (it.scene.particles[k].x + 1) / 10, y = it.scene.particles[k].y - 4;
@@ -417,9 +417,9 @@ static void two_that_nearly_fill_the_cell(void) {
     struct written it;
     char page[512];
     snprintf(page, sizeof page,
-             ROCK
-             "skin 0.05\ndisc 5 5 radius 2.3 rock\ncell 0 0 to 10 10\ngrading g 2.4 1\nfill discs cell g rock seed %d "
-             "attempts 1000 else stop\n",
+             ROCK "skin 0.05\ndisc 5 5 radius 2.3 rock\nperiodic cell 0 0 to 10 10\ngrading g 2.4 1\nfill discs cell g "
+                  "rock seed %d "
+                  "attempts 1000 else stop\n",
              seed);
     make(&it, page);
     const struct nb_particle *at = it.scene.particles;
@@ -443,7 +443,7 @@ static void a_box_as_wide_as_the_disc(void) {
 
 /* A particle wider or higher than the cell would overlap its own image, so it is not placed. */
 static void one_that_fills_the_cell(void) {
-  static const char *const cells[] = {CELL, ROCK "cell 2 -3 to 32 47\n"};
+  static const char *const cells[] = {CELL, ROCK "periodic cell 2 -3 to 32 47\n"};
   for (int k = 0; k < 2; k++) {
     struct written it;
     char page[512];
@@ -494,10 +494,10 @@ static void pairs_that_count_in_the_gap(void) {
       {"disc 0 0 radius 1 rock\ndisc 2.25 0 radius 1 rock\ndisc 4.375 0 radius 1 rock\n", "remove disc 3\n", 0.25},
       {"disc 0 0 radius 1 rock\ndisc 1.9375 0 radius 1 rock\ndisc 4 0 radius 1 rock\n", "", -0.0625},
       {"disc 0 0 radius 1 rock\ndisc 2.75 0 radius 1 rock\ndisc 9 0 radius 1 rock\n", "", 0.5},
-      {"disc 1.0625 5 radius 1 rock\ndisc 8.9375 5 radius 1 rock\ncell 0 0 to 10 10\n", "", 0.125},
-      {"disc 7 5 radius 2.1875 rock\ndisc 2.5 5 radius 2.1875 rock\ncell 0 0 to 10 10\n", "", 0.125},
-      {"disc 5 7 radius 2.1875 rock\ndisc 5 2.5 radius 2.1875 rock\ncell 0 0 to 10 10\n", "", 0.125},
-      {"disc 5 1.0625 radius 1 rock\ndisc 5 8.9375 radius 1 rock\ncell 0 0 to 10 10\n", "", 0.125},
+      {"disc 1.0625 5 radius 1 rock\ndisc 8.9375 5 radius 1 rock\nperiodic cell 0 0 to 10 10\n", "", 0.125},
+      {"disc 7 5 radius 2.1875 rock\ndisc 2.5 5 radius 2.1875 rock\nperiodic cell 0 0 to 10 10\n", "", 0.125},
+      {"disc 5 7 radius 2.1875 rock\ndisc 5 2.5 radius 2.1875 rock\nperiodic cell 0 0 to 10 10\n", "", 0.125},
+      {"disc 5 1.0625 radius 1 rock\ndisc 5 8.9375 radius 1 rock\nperiodic cell 0 0 to 10 10\n", "", 0.125},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};

@@ -49,8 +49,8 @@ static void overlap_at_the_start(void) {
       {"disc 0 0 radius 1 m\ndisc 0 2 radius 2 m", "disc 0 0 radius 1 m\ndisc 0 1.9999999999999996 radius 2 m"},
       {"disc 0 0 radius 1 m fixed\ndisc 0 1 radius 1 m",
        "disc 0 0 radius 1 m fixed\ndisc 0 0.9999999999999998 radius 1 m"},
-      {"cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7 0 radius 1 m",
-       "cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7.000000000000002 0 radius 1 m"},
+      {"periodic cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7 0 radius 1 m",
+       "periodic cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7.000000000000002 0 radius 1 m"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char text[512];
@@ -111,8 +111,8 @@ static void displacement_in_a_step(void) {
       {"skin 1\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 90 0 radius 3 m", true},
       {"disc 0 0 radius 1 m velocity 99 0", false}, /* alone: there is nothing to pass through */
       {"disc 0 0 radius 1 m velocity 99 0 fixed\ndisc 9 0 radius 1 m fixed", false},
-      {"cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 1.9 0\ndisc 4 4 radius 1 m", false},
-      {"cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 4 4 radius 1 m", true},
+      {"periodic cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 1.9 0\ndisc 4 4 radius 1 m", false},
+      {"periodic cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 4 4 radius 1 m", true},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char text[512];
@@ -136,8 +136,9 @@ static void imposed_by_a_cell(void) {
   unsigned long done;
   struct words page = {0};
   struct written it;
-  words_add(&page, HEAD "cell -8 -8 to 8 8\ndisc 160 160 radius 1 m\ndisc 4 4 radius 1 m\nstage s\ncell strain -0.1 "
-                        "-0.1\ncycles 1\n");
+  words_add(&page,
+            HEAD "periodic cell -8 -8 to 8 8\ndisc 160 160 radius 1 m\ndisc 4 4 radius 1 m\nstage s\ncell strain -0.1 "
+                 "-0.1\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
@@ -398,7 +399,8 @@ static void changes_below_the_end_of_a_stage(void) {
   static const char expected[] =
       "` stands below the `cycles` or `until` of stage `a`, but acts when this stage begins: for a change at "
       "the end, begin a new stage above this line; for a change at the beginning, move this line above them\n";
-  static const char cell[] = "cell 0 0 to 9 9", box[] = "box 0 0 to 9 9 m", ring[] = "boundary circle 0 0 radius 1";
+  static const char cell[] = "periodic cell 0 0 to 9 9", box[] = "box 0 0 to 9 9 m",
+                    ring[] = "boundary circle 0 0 radius 1";
   static const struct {
     const char *scene, *change;
   } cases[] = {
@@ -430,7 +432,8 @@ static void changes_below_the_end_of_a_stage(void) {
 
 /* A servo ends with its stage. A strain rate that was given beside it and goes on without it causes a warning. */
 static void strain_rates_without_their_servo(void) {
-  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "periodic cell 0 0 to 9 9",
+                    ring[] = "boundary circle 0 0 radius 1";
   static const char beside[] = "boundary strain 1 -1\nservo mean 1 on boundary through boundary at most 1";
   static const struct {
     const char *scene, *first, *second, *third, *wanted;
@@ -465,7 +468,8 @@ static void strain_rates_without_their_servo(void) {
 
 /* A strain rate of an earlier stage that goes on in a component that a servo controls causes a warning. */
 static void strain_rates_against_a_servo(void) {
-  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "periodic cell 0 0 to 9 9",
+                    ring[] = "boundary circle 0 0 radius 1";
   static const struct {
     const char *scene, *before, *servo, *wanted;
   } cases[] = {
@@ -485,10 +489,10 @@ static void strain_rates_against_a_servo(void) {
       {cell, "cell strain 0 0 c12 1", "servo xx 1 on cell through cell", ""},
       {cell, "cell strain 0 0 c12 1", "servo isotropic 1 on cell through cell", "11: the servo"},
       {cell, "cell strain 0 0 c21 1", "servo isotropic 1 on cell through cell", "11: the servo"},
-      {"transform rotate 1.5707963267948966\ncell 0 0 to 9 9", "cell strain -1 0", "servo xx 1 on cell through cell",
-       "12: the servo"},
-      {"transform rotate 1.5707963267948966\ncell 0 0 to 9 9", "cell strain -1 0", "servo yy 1 on cell through cell",
-       ""},
+      {"transform rotate 1.5707963267948966\nperiodic cell 0 0 to 9 9", "cell strain -1 0",
+       "servo xx 1 on cell through cell", "12: the servo"},
+      {"transform rotate 1.5707963267948966\nperiodic cell 0 0 to 9 9", "cell strain -1 0",
+       "servo yy 1 on cell through cell", ""},
       {ring, "boundary strain -1 0", "servo xx 1 on boundary through boundary", "11: the servo"},
       {ring, "boundary strain -1 0", "boundary fixed\nservo xx 1 on boundary through boundary", ""},
   };
@@ -510,7 +514,7 @@ static void strain_rates_against_a_servo(void) {
 static void conditions_on_strains_of_the_other_sign(void) {
   static const char flat[] = "wall w -9 21 to 9 21 m", under[] = "wall w -9 19 to 9 19 m",
                     right[] = "wall w 2.5 -9 to 2.5 99 m", left[] = "wall w 1.5 99 to 1.5 -9 m", plain[] = "skin 1",
-                    cell[] = "cell 0 0 to 99 99", box[] = "box -99 -99 to 99 99 m",
+                    cell[] = "periodic cell 0 0 to 99 99", box[] = "box -99 -99 to 99 99 m",
                     ring[] = "boundary circle 0 0 radius 1";
   static const struct {
     const char *scene, *motion, *condition;
@@ -774,7 +778,8 @@ static void gravity_away_from_walls(void) {
       {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "affine strain 0 1", false},
       {floor, "gravity 0 9.81", "disc 0 2 radius 1 m\nboundary circle 0 0 radius 50", "", false},
       {floor, "gravity 0 9.81", "grading g 1 1\nfill discs box 0 5 to 9 15 g m seed 1 attempts 9 else skip", "", false},
-      {"cell -20 -20 to 20 20", "gravity 0 9.81", "disc 0 -5 radius 1 m fixed\ndisc 0 2 radius 1 m", "", false},
+      {"periodic cell -20 -20 to 20 20", "gravity 0 9.81", "disc 0 -5 radius 1 m fixed\ndisc 0 2 radius 1 m", "",
+       false},
       {"wall w -9 0 to 9 0 m velocity 1 0", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
       {"wall w -9 0 to 9 0 m velocity 0 1", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
       {"wall w -9 0 to 9 0 m about 0 0 spin 1", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},

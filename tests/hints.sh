@@ -39,7 +39,7 @@ region M all
 region S all'
 sizes='grading mixed 4 mm 2'
 stages='step 1 us
-record time A.x A.vx A.vy B.vx C.normal C.shear C.overlap momentum.x energy.kinetic energy.residual M.particles
+record time A.x A.vx A.vy B.vx C.normal C.shear C.overlap momentum.x energy.kinetic energy.balance M.particles
 stage load
 cycles 10
 stage approach
@@ -66,12 +66,12 @@ typed() {
   scene) scene "$materials" "$marked" "$box" "$particles" "$names" "$stages" ;;
   below) scene "$materials" "$sizes" "$box" "$particles" "$marked" "$names" "$stages" ;;
   regions) scene "$materials" "$particles" 'region A all' "$marked" "$stages" ;;
-  cells) scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$marked" "$stages" ;;
+  cells) scene "$materials" 'periodic cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$marked" "$stages" ;;
   spheres) scene "$materials" "$(echo "$particles" | sed 's/disc/sphere/g')" "$marked" "$stages" ;;
   walls) scene "$materials" "$box" "$(echo "$particles" | sed s/disc/sphere/g)" "$marked" "$stages" ;;
   impact) scene "$materials" "$particles" "$names" 'impact C speed 1 m/s angle 10 deg' "$marked" "$stages" ;;
   stage) scene "$materials" "$box" "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
-  cell) scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
+  cell) scene "$materials" 'periodic cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
   circle) scene "$materials" 'boundary circle 0.2 m 0.2 m radius 1 mm' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
   expect)
     scene "$materials" "$box" "$particles" "$names" 'monitor F wall south' "record $(echo "$2" | sed 's/^report *//; s/ .*//')" "$stages"

@@ -41,7 +41,7 @@ static void a_scene_has_what_it_uses(void) {
       {DISC "record D.x\nwall w 0 0 to 9 0 m\nstage a\nramp wall w velocity 0 1\ncycles 4\n",
        "0 walls ramp, 3 stability check"},
       {DISC "record D.x\nstage a\ngravity 0 -1\ncycles 4\n", "2 changes of the stage, 3 stability check"},
-      {DISC "record energy.residual\nstage a\ncycles 4\n",
+      {DISC "record energy.balance\nstage a\ncycles 4\n",
        "0 energy balance, 1 energy balance, 3 stability check, 4 energy balance"},
       {DISC "record step.fracc\nstage a\ncycles 4\n", "3 stability check, 4 FRACC"},
       {SPHERES "record cycle\nstage a\ncycles 4\n",
@@ -61,10 +61,10 @@ static void a_scene_has_what_it_uses(void) {
        "0 servo, 0 walls of the box follow its strain rate, 3 stability check"},
       {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\ncycles 4\nstage b\nbox strain 0.1 0.1\ncycles 4\n",
        "3 stability check"},
-      {DISC "record D.x\ncell 0 0 to 9 9\nstage a\ncycles 4\n", "3 stability check"},
-      {DISC "record D.x\ncell 0 0 to 9 9\nstage a\ncell strain 0.1 0.1\ncycles 4\n",
+      {DISC "record D.x\nperiodic cell 0 0 to 9 9\nstage a\ncycles 4\n", "3 stability check"},
+      {DISC "record D.x\nperiodic cell 0 0 to 9 9\nstage a\ncell strain 0.1 0.1\ncycles 4\n",
        "0 affine motion, 3 stability check"},
-      {DISC "record D.x\ncell 0 0 to 9 9\nstage a\nservo mean 1 on cell through cell at most 0.1\ncycles 4\n",
+      {DISC "record D.x\nperiodic cell 0 0 to 9 9\nstage a\nservo mean 1 on cell through cell at most 0.1\ncycles 4\n",
        "0 servo, 0 affine motion, 3 stability check"},
       {DISC "record D.x\nstage a\ncycles 4\nstage b\naffine strain 0.1 0.1\ncycles 4\n", "3 stability check"},
       {DISC "record D.x\nstage a\ncycles 4\nstage b\nboundary circle 5 4 radius 0.5\ncycles 4\n", "3 stability check"},
@@ -150,7 +150,7 @@ static void passes_and_their_lines(void) {
   static const struct {
     const char *scene, *passes;
   } rows[] = {
-      {DISC "cell 0 0 to 9 9\nrecord cycle\nstage a\ncycles 4\n",
+      {DISC "periodic cell 0 0 to 9 9\nrecord cycle\nstage a\ncycles 4\n",
        "0-0: disc-image, overlap 7, normal linear 0, resolve, normal 0"},
       {DISC "wall v 0 0 to 9 0 m\nwall w 9 0 to 9 9 m\nrecord cycle\nstage a\ncycles 4\n",
        "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0; 0-wall 0: disc-wall, overlap 0, single contact "
@@ -262,7 +262,7 @@ static void affine_motion_of_a_stage(void) {
                                       "0 affine motion, 2 changes of the stage, 3 stability check"};
   static const char *const scenes[] = {
       "stage a\ncycles 2\nstage b\naffine strain 0.1 0.1\ncycles 2\nstage c\naffine none\ncycles 2\n",
-      "cell 0 0 to 9 9\nstage a\ncycles 2\nstage b\ncell strain 0.1 0.1\ncycles 2\nstage c\ncell strain 0 0\n"
+      "periodic cell 0 0 to 9 9\nstage a\ncycles 2\nstage b\ncell strain 0.1 0.1\ncycles 2\nstage c\ncell strain 0 0\n"
       "cycles 2\n"};
   for (int cell = 0; cell < 2; cell++) {
     struct words page = {0};
@@ -395,10 +395,10 @@ static void fields_that_a_plan_keeps(void) {
       {SPHERES "damping ratio 0.1\nrecord cycle\n", REDUCED | STABLE | NB_BIT(NB_MASS), 0, 1},
       {SPHERES "damping critical beyond overlap 0.1\nrecord cycle\n", REDUCED | STABLE | NB_BIT(NB_MASS), 0, 1},
       {MICRO "record cycle\n", REDUCED | STABLE, 0, 0},
-      {DISC "record energy.residual\n", BALANCE, 0, 0},
-      {DISC "damping stiffness 0.1\nrecord energy.residual\n", BALANCE | NB_BIT(NB_TOTAL_NORMAL), 0, 0},
-      {ROUGH "record energy.residual\n", BALANCE | BEFORE, 0, 1},
-      {MICRO "shear mindlin_deresiewicz memory 8\nrecord energy.residual\n",
+      {DISC "record energy.balance\n", BALANCE, 0, 0},
+      {DISC "damping stiffness 0.1\nrecord energy.balance\n", BALANCE | NB_BIT(NB_TOTAL_NORMAL), 0, 0},
+      {ROUGH "record energy.balance\n", BALANCE | BEFORE, 0, 1},
+      {MICRO "shear mindlin_deresiewicz memory 8\nrecord energy.balance\n",
        BALANCE | BEFORE | NB_BIT(NB_DISSIPATED) | REDUCED | STABLE, 0, 12 + 5 * 8},
       {"units none\nmaterial m density 1 young 100\nnormal hertz_increment\nstep 1e-3\nsphere 4 4 radius 1 m\n"
        "record cycle\n",

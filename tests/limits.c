@@ -55,22 +55,23 @@ static void corners_of_a_filled_box(void) {
 /* A side of the cell is at least 2 (2 R + skin), R the largest radius. The skin is a tenth of the mean radius. */
 static void cells(void) {
   static const struct row rows[] = {
-      {"cell 0 0 to 5 5|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", NULL},
-      {"cell 0 0 to 4.99 5|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "at least 5, twice"},
-      {"cell 0 0 to 5 4.99|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "found 4.99"},
-      {"cell 0 0 to 7 7|skin 1.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", NULL},
-      {"cell 0 0 to 6.99 7|skin 1.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "at least 7, twice"},
-      {"cell 0 0 to 4.151 4.151|disc 1 1 radius 1 m|disc 3 3 radius 0.5 m", NULL},
-      {"cell 0 0 to 4.149 4.151|disc 1 1 radius 1 m|disc 3 3 radius 0.5 m", "at least 4.15, twice"},
-      {"cell 0 0 to 1 1|disc 1 1 radius 1 m", NULL},                      /* it has no neighbours */
-      {"cell 0 0 to 1 1|disc 1 1 radius 1 m|disc 3 3 radius 1 n", "`n`"}, /* only the mistake of the particle */
-      {"cell 0 0 to 1 1|disc 1 1 radius 1 m|disc 2 2 radius 1 m|disc 3 3 radius 1 n", "`n`"},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 1000000 -1000000", NULL},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods -1000000 1000000", NULL},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 1000001 0", "found 1000001 and 0"},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0 -1000001", "found 0 and -1000001"},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0.5 0", "found 0.5 and 0"},
-      {"cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0 0.5", "found 0 and 0.5"},
+      {"periodic cell 0 0 to 5 5|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", NULL},
+      {"periodic cell 0 0 to 4.99 5|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "at least 5, twice"},
+      {"periodic cell 0 0 to 5 4.99|skin 0.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "found 4.99"},
+      {"periodic cell 0 0 to 7 7|skin 1.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", NULL},
+      {"periodic cell 0 0 to 6.99 7|skin 1.5|disc 1 1 radius 1 m|disc 3 3 radius 1 m", "at least 7, twice"},
+      {"periodic cell 0 0 to 4.151 4.151|disc 1 1 radius 1 m|disc 3 3 radius 0.5 m", NULL},
+      {"periodic cell 0 0 to 4.149 4.151|disc 1 1 radius 1 m|disc 3 3 radius 0.5 m", "at least 4.15, twice"},
+      {"periodic cell 0 0 to 1 1|disc 1 1 radius 1 m", NULL}, /* it has no neighbours */
+      {"periodic cell 0 0 to 1 1|disc 1 1 radius 1 m|disc 3 3 radius 1 n",
+       "`n`"}, /* only the mistake of the particle */
+      {"periodic cell 0 0 to 1 1|disc 1 1 radius 1 m|disc 2 2 radius 1 m|disc 3 3 radius 1 n", "`n`"},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 1000000 -1000000", NULL},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods -1000000 1000000", NULL},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 1000001 0", "found 1000001 and 0"},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0 -1000001", "found 0 and -1000001"},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0.5 0", "found 0.5 and 0"},
+      {"periodic cell 0 0 to 9 9|disc 1 1 radius 1 m|perturb wave 1 1 periods 0 0.5", "found 0 and 0.5"},
   };
   READ(rows, SCENE, RUN);
 }

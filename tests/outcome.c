@@ -252,9 +252,10 @@ static void warnings_of_regions(void) {
 /* The warning of a stage with a servo proposes a condition on the controlled stress. The warning of a condition on a
  * strain says from which time this strain counts. */
 static void warnings_of_ends_propose(void) {
-  static const char scene[] = "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\n"
-                              "disc 5 1 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
-                              "cell strain 0 -1\ncycles 20\nstage two\n%s  at most 9 cycles";
+  static const char scene[] =
+      "units none\nmaterial m density 1 kn 1000\nperiodic cell 0 0 to 9 9\ndisc 1 1 radius 1 m\n"
+      "disc 5 1 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
+      "cell strain 0 -1\ncycles 20\nstage two\n%s  at most 9 cycles";
   static const struct {
     const char *end, *warning;
   } rows[] = {
@@ -293,7 +294,7 @@ static void warnings_of_ends_propose(void) {
  * changes the stress. */
 static void warnings_of_servos(void) {
   static const char scene[] =
-      "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\n"
+      "units none\nmaterial m density 1 kn 1000\nperiodic cell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\n"
       "disc 2.99 1 radius 1 m\ndisc 4.98 1 radius 1 m\n"
       "step 0.001\nrecord time cell.stress.xx\nstage press\n"
       "servo xx %.17g on cell through cell at most 1e-9 per cycle\nuntil time above 0.0025  at most 9 "
@@ -423,7 +424,8 @@ static void servos_at_the_largest_rate(void) {
     struct nb_outcome outcome;
     char text[1024];
     snprintf(text, sizeof text,
-             "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\ndisc 2.99 1 radius "
+             "units none\nmaterial m density 1 kn 1000\nperiodic cell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\ndisc 2.99 "
+             "1 radius "
              "1 m\ndisc 4.98 1 radius 1 m\nstep 0.001\nrecord time cell.stress.xx\nstage press\nservo %s\n%s",
              rows[k].servo, rows[k].end);
     carry_out(&outcome, text, "report cell.stress.xx", NULL);
@@ -868,7 +870,8 @@ static void warnings_of_tension(void) {
  * expects 0 or records the work of the walls, too. There is no warning if nothing moves, or if a stage imposes a motion
  * or a stress on particles. */
 static void warnings_of_the_imposed_work(void) {
-  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9\ndisc 5 5 radius 1 m fixed velocity 1 0";
+  static const char box[] = "box 0 0 to 9 9 m",
+                    cell[] = "periodic cell 0 0 to 9 9\ndisc 5 5 radius 1 m fixed velocity 1 0";
   static const char ring[] = "boundary circle 0 0 radius 1\ndisc 5 5 radius 1 m fixed velocity 1 0";
   static const char fixed[] = "disc 5 5 radius 1 m fixed velocity 1 0", wall[] = "wall w 0 0 to 9 0 m velocity 0 -1";
   static const struct {

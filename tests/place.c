@@ -33,7 +33,7 @@
 #define END "cycles 30\nsnapshot\n"
 #define BOX "box 0 0 to 6 7 m\n"
 #define WALL "wall floor 0 1.5 to 5 1.2 m about 1 -3\n"
-#define CELL "cell -0.2 -0.1 to 6.8 6.2\n"
+#define CELL "periodic cell -0.2 -0.1 to 6.8 6.2\n"
 #define BY " through boundary at most 1e-4 per cycle every 3 cycles\n"
 
 struct row {
@@ -62,7 +62,7 @@ static const struct row rows[] = {
     {"wall", NB_IN_RAMP, FEW WALL STAGE, "ramp wall floor velocity 0.3 1 spin 0.2\n", END},
     {"walls", NB_IN_STAGE, MANY BOX STAGE, "walls inward 2\n", END},
     {"walls", NB_IN_RAMP, MANY BOX STAGE, "ramp walls inward 2\n", END},
-    {"cell", NB_IN_SCENE, MANY, CELL, GO},
+    {"periodic cell", NB_IN_SCENE, MANY, CELL, GO},
     {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 shear 0.02\n", END},
     {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
     {"perturb wave", NB_IN_SCENE, MANY CELL, "perturb wave 0.3 1 periods 1 2\n", GO},
@@ -320,8 +320,8 @@ static void controlled_components(void) {
     bool controlled[3];
   } cases[] = {{"box 0 0 to 9 9 m", "isotropic 1 on box through box", {true, true, false}},
                {"box 0 0 to 9 9 m", "yy 1 on box through box", {false, true, false}},
-               {"cell 0 0 to 9 9", "isotropic 1 on cell through cell", {true, true, true}},
-               {"cell 0 0 to 9 9", "xx 1 xy 2 on cell through cell", {true, false, true}}};
+               {"periodic cell 0 0 to 9 9", "isotropic 1 on cell through cell", {true, true, true}},
+               {"periodic cell 0 0 to 9 9", "xx 1 xy 2 on cell through cell", {true, false, true}}};
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     struct words page = {0};
     struct written it;

@@ -15,7 +15,7 @@ void planted_page(struct nb_outcome *outcome, const char *statements, const char
   FILE *file = written_file(path);
   fprintf(file,
           "```scene\nunits none\n%s\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor A disc 1\nstep 0.1\n"
-          "record time cycle A.x A.y A.vx energy.residual\nstage one\ncycles 1\nstage two\ncycles 1\n```\n"
+          "record time cycle A.x A.y A.vx energy.balance\nstage one\ncycles 1\nstage two\ncycles 1\n```\n"
           "```expect\nreference free_fall\n%s\n```\n",
           statements, expectations);
   fclose(file);
@@ -45,7 +45,7 @@ void planted_rows(struct nb_outcome *outcome, size_t run, int count, const doubl
     CU_ASSERT_PTR_NOT_NULL_FATAL(row);
     row[column(table, "time")] = r;
     row[column(table, "cycle")] = 10 * r;
-    row[column(table, "A.x")] = row[column(table, "energy.residual")] = x[r];
+    row[column(table, "A.x")] = row[column(table, "energy.balance")] = x[r];
     row[column(table, "A.y")] = y[r];
     row[column(table, "A.vx")] = -4;
   }

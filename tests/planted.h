@@ -1,8 +1,8 @@
 /* Tables that a test gives to the runs of a page as their results, and the verdict on them. Nothing is simulated.
  *
- * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.residual, beside time and cycle, and its stages
+ * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.balance, beside time and cycle, and its stages
  * are `one` and `two`. Row r has the cycle 10 r and the time r; rows 0 to 2 belong to stage one, the others to stage
- * two. The test chooses A.x, and energy.residual equals it; A.y is 1, 2, 4, 2, 1 and then 0, and A.vx is -4.
+ * two. The test chooses A.x, and energy.balance equals it; A.y is 1, 2, 4, 2, 1 and then 0, and A.vx is -4.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

@@ -506,11 +506,11 @@ verdict 'a page without expectations does not pass but can be run; `report` is n
 # The reference of a measure in values.tsv is the expected value of this measure, also if a later line of the page gives it. If
 # this line divides the measure by another one, the reference is the expected quotient times the other measure. The reference of
 # a residual is 0, unless the page expects another value. An expectation without a value gives nan.
-sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y energy.residual/' "$pages/asks-nothing.md" >expected.md
-printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\nenergy.residual expected 3 within 4 [three]\nreport energy.residual max\n```\n' >>expected.md
+sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y energy.balance/' "$pages/asks-nothing.md" >expected.md
+printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\nenergy.balance expected 3 within 4 [three]\nreport energy.balance max\n```\n' >>expected.md
 "$nineball" run expected.md -o expected >out 2>said
 for pair in 'reference D.x max/-=2' 'reference D.x min/-=0.5' 'reference D.y/-=nan' \
-  'reference energy.residual/-=3' 'reference energy.residual max/-=0'; do
+  'reference energy.balance/-=3' 'reference energy.balance max/-=0'; do
   test "$(column "${pair%=*}" expected/values.tsv)" = "${pair#*=}" || echo "not $pair" >>why
 done
 verdict 'the references in values.tsv are the expected values'
@@ -611,8 +611,8 @@ out 'kn K: a stiffness, 0 or more; without it: 0.'
 out 'kn K: a stiffness, 0 or more; without it: as it was.'
 run 0 --help C.normal
 out 'normal, quantity of a contact, in N: elastic normal force'
-run 0 --help energy.residual
-out 'energy.residual, quantity of the scene, in J: '
+run 0 --help energy.balance
+out 'energy.balance, quantity of the scene, in J: '
 run 0 run --help
 out 'usage: nineball COMMAND'
 out '`run` of other programs is `cycles` or `until` here'
@@ -630,8 +630,7 @@ out 'nothing has to be saved'
 run 0 --help cell strain
 out 'The engineering shear rate is 2 EXY'
 run 0 --help 'periodic cell'
-out 'cell      0 mm 0 mm to 80 mm 80 mm'
-out "periodic boundaries are \`cell 0 m 0 m to 1 m 1 m\`"
+out 'periodic  cell 0 mm 0 mm to 80 mm 80 mm'
 run 0 --help max unbalanced
 out 'unbalanced.max, quantity of the scene'
 out 'max, after the quantity of an expectation'
@@ -678,7 +677,7 @@ grep -q ' inf' out && echo "a disc alone: $(grep ' inf' out)" >>why
 out '  none: no particle can touch another one or a wall'
 # Two spheres with the radii 1 and 3, G = 1 and nu = 0: the Rayleigh step of the first one is pi/0.874032 [R89 4.33], and that
 # of a sphere with the mean radius is twice as long. The smallest rectangle around both has the sides 8 and 12.
-printf '```scene\nunits none\nmaterial m density 1 young 2 poisson 0\nnormal hertz\nwall floor -9 0 to 9 0 m\nsphere 0 1 radius 1 m velocity 0 -1\nsphere 4 9 radius 3 m\nstep 0.2 of rayleigh\nregion A all\nrecord time work.residual\nstage s\ncycles 1\n```\n' >elastic.md
+printf '```scene\nunits none\nmaterial m density 1 young 2 poisson 0\nnormal hertz\nwall floor -9 0 to 9 0 m\nsphere 0 1 radius 1 m velocity 0 -1\nsphere 4 9 radius 3 m\nstep 0.2 of rayleigh\nregion A all\nrecord time work.balance\nstage s\ncycles 1\n```\n' >elastic.md
 run 0 explain elastic.md
 out '  1 pairs closer than 0.2; rebuilt when a particle or wall has moved 0.1'
 out '  line 9: region A all: 2 particles now; area 96, that of the smallest rectangle around all particles, without the gaps at walls'
@@ -690,7 +689,7 @@ out '  before the forces  stability check'
 out '  after the forces   stability check of stiffening contacts'
 out '  work, updated every cycle by one thread'
 # A disc of mass 1 on a wall: the stiffness 16 limits the step to 2/16^(1/2), and a collision takes pi/16^(1/2).
-printf '```scene\nunits none\nlet d = 1/pi\nmaterial m density $d kn 16 ks 4 friction 0.5\nnormal linear\nshear linear\ndisc 0 0.9375 radius 1 m\nwall w -9 0 to 9 0 m\nstep 0.1 of single-contact\nrecord time energy.residual\nstage s\nramp material m kn 32 ks 1 friction 0\ncycles 1\n```\n' >springs.md
+printf '```scene\nunits none\nlet d = 1/pi\nmaterial m density $d kn 16 ks 4 friction 0.5\nnormal linear\nshear linear\ndisc 0 0.9375 radius 1 m\nwall w -9 0 to 9 0 m\nstep 0.1 of single-contact\nrecord time energy.balance\nstage s\nramp material m kn 32 ks 1 friction 0\ncycles 1\n```\n' >springs.md
 run 0 explain springs.md
 out '    in stage `s` linearly until its end (line 12): kn 32, ks 1, friction 0; no shear force without friction and cohesion'
 out '  energy, updated every cycle by one thread'
@@ -698,7 +697,7 @@ out '  0.05, line 9'
 out '  single contact, 2 sqrt(m/k): 0.5; the step is 0.1 of it, the stable step 1 of it'
 out '  stable: 0.5; the step is 0.1 of it; limited by normal motion of particle 1 and wall w'
 out '  collision, the shortest possible: 0.785398; the step is 0.063662 of it'
-sed 's/^step .*/step 1\nallow unstable/; s/ energy.residual/ energy.residual work.residual/; s/ friction 0$/ friction 0.25/' springs.md >longer.md
+sed 's/^step .*/step 1\nallow unstable/; s/ energy.balance/ energy.balance work.balance/; s/ friction 0$/ friction 0.25/' springs.md >longer.md
 run 0 explain longer.md --set step=0.75
 out '(line 13): kn 32, ks 1, friction 0.25'
 grep -q 'no shear force' out && echo 'friction that a stage reduces is called 0' >>why
@@ -809,7 +808,7 @@ sed 's/shear 2e-5 per cycle/c12 2e-5 per cycle c21 1e-5 per cycle/' "$pages/driv
 run 0 explain turned.md
 out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
 out '    line 15: xx +0.0001 per cycle: extension in x; yy -0.0001 per cycle: compression in y'
-printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\ncell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
+printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\nperiodic cell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
 run 0 explain half.md
 out 'half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 1 s`'
 sed 's/^until .*/until cell.strain.xx below -10 % at most 9 cycles/' half.md >half-no-shear.md

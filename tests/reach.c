@@ -96,7 +96,7 @@ static void cells(void) {
     struct written it;
     struct nb_error error;
     words_add(&page,
-              "units none\nmaterial m density 1 kn 1\nskin 0.5\nstep 0.01\ncell 0 0 to 9 9\n"
+              "units none\nmaterial m density 1 kn 1\nskin 0.5\nstep 0.01\nperiodic cell 0 0 to 9 9\n"
               "disc 1 1 radius 0.5 m\ndisc 5 5 radius 0.75 m\nstage s\ncell strain %s\ncycles 1\n",
               cases[k].strain);
     written_scene(&it, &page);

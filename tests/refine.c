@@ -42,7 +42,7 @@ static void boundary_page(struct words *page, double r) {
 static void cell_page(struct words *page, double r) {
   words_add(
       page,
-      "units none\nmaterial m density 3 kn 100 ks 100 friction 0.5\ncell 0 0 to 8 8\n"
+      "units none\nmaterial m density 3 kn 100 ks 100 friction 0.5\nperiodic cell 0 0 to 8 8\n"
       "lattice discs 3 by 3 from 1 1 radius 0.9 spacing 2 m\ndisc 7 7 radius 0.5 m velocity 3 -2\nmonitor D disc 10\n"
       "record D.vx D.vy cycle time cell.strain.xx cell.stress.xx cell.stress.xy\ndamping con1 %.17g as cs79\nstep "
       "%.17g\n",

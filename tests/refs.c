@@ -224,12 +224,13 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "monitor C disc 1 with wall w\n" BRIEF,
        "a wall so long", NULL},
       {"lattice_moduli",
-       PAIR
-       "cell 0 0 to 6 6\nlattice discs 3 by 2 radius 1 a\nlattice discs 3 by 1 from 1 5 radius 1 spacing 2 b\n" CELL,
+       PAIR "periodic cell 0 0 to 6 6\nlattice discs 3 by 2 radius 1 a\nlattice discs 3 by 1 from 1 5 radius 1 spacing "
+            "2 b\n" CELL,
        "equal particles at rest", NULL},
-      {"lattice_moduli", PAIR "cell 0 0 to 9 9\nlattice discs 3 by 3 radius 1 a\n" CELL, "four or six others", NULL},
+      {"lattice_moduli", PAIR "periodic cell 0 0 to 9 9\nlattice discs 3 by 3 radius 1 a\n" CELL, "four or six others",
+       NULL},
       {"lattice_waves",
-       PAIR "cell 0 0 to 5.85 5.85\nlattice discs 3 by 3 radius 1 spacing 1.95 a\nmonitor D disc 1\n" BRIEF,
+       PAIR "periodic cell 0 0 to 5.85 5.85\nlattice discs 3 by 3 radius 1 spacing 1.95 a\nmonitor D disc 1\n" BRIEF,
        "a friction of at least 1e6", NULL},
       {"boxed_lattice",
        "normal linear\nshear none\nbox 0 0 to 4 6 a\nlattice discs 2 by 2 radius 1 a\ndisc 1 5 radius 1 a\n" SQUEEZE,

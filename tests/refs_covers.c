@@ -308,7 +308,7 @@ static void all_uncovered_words_are_named(void) {
   strcpy(scene.stages[0].laws.normal, "linear");
   CU_ASSERT_EQUAL(nb_reference_covers(reference, &scene.scene, &error), NB_BAD_USE);
   const char *const list =
-      "`cell` (line 12), `servo` (line 12), `normal or shear in a stage`, `normal linear` (line 7); it "
+      "`periodic cell` (line 12), `servo` (line 12), `normal or shear in a stage`, `normal linear` (line 7); it "
       "covers `normal hertz`, `normal hertz_increment`, `sphere`, ";
   if (!strstr(error.text, list))
     printf("# %s\n", error.text);
@@ -319,7 +319,7 @@ static void all_uncovered_words_are_named(void) {
   for (size_t k = 0; k < sizeof more / sizeof *more; k++)
     add(&scene, more[k], 1);
   CU_ASSERT_EQUAL(nb_reference_covers(reference, &scene.scene, &error), NB_BAD_USE);
-  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "`cell` (line 12), "));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "`periodic cell` (line 12), "));
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "), …; it covers `normal hertz`, "));
 }
 

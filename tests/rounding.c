@@ -173,7 +173,7 @@ static void bits_are_counted(void) {
   CU_ASSERT(nb_common_bits(NAN, 1, 1) == 0 && nb_common_bits(1, 1.5, NAN) == 0 && nb_common_bits(INFINITY, 1, 1) == 0);
 }
 
-/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. In row k the two results of A.x, and of energy.residual,
+/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. In row k the two results of A.x, and of energy.balance,
  * which equals A.x (planted.h), differ by 2^-(k + 10). The number of common bits follows from the difference relative
  * to the scale of the tolerance. */
 static void bits_of_expectations(void) {
@@ -196,7 +196,7 @@ static void bits_of_expectations(void) {
       {"A.x expected 0 within 7 [t]", 17},
       {"A.vx expected 0 within 4 [t]", -1}, /* its largest magnitude is 4 */
       {"A.vx expected 0 within 3 [t]", 53},
-      {"energy.residual within 1e-12 of A.x", -1},
+      {"energy.balance within 1e-12 of A.x", -1},
       {"A.x in one within 1 % of A.x max in two", 14}, /* 2^-12 in row 2, relative to 4 */
   };
   struct words list = {0};

@@ -198,7 +198,9 @@ static void stages_after_those_of_another_page(void) {
  * the other page does not have has no line. */
 static void statements_of_another_page_have_the_line_of_start(void) {
   static const char *const more[] = {
-      "", "gravity 0 -1\ncell -9 -9 to 9 9\nnormal linear\ndamping ratio 0.1\nstage s\ncell strain 0.1 0\ncycles 1",
+      "",
+      "gravity 0 -1\nperiodic cell -9 -9 to 9 9\nnormal linear\ndamping ratio 0.1\nstage s\ncell strain 0.1 0\ncycles "
+      "1",
       ("boundary circle 0 0 radius 9\nshear linear\ndamping mass 1\npair m m ks 1\nstage s\nboundary strain 0.1 0\n"
        "affine strain 0.1 0\nrotation off\ngravity 0 -1\ncycles 1"),
       "box -9 -9 to 9 9 m\nstage s\nbox strain 0.1 0\nshear linear\nnormal linear\ncycles 1"};
@@ -317,7 +319,7 @@ static void quantities_of_objects(void) {
   static const struct {
     const char *of, *statement;
   } rows[] = {{"impact.", "wall w -9 0 to 9 0 m\nmonitor C disc 1 with wall w\nimpact C speed 1 angle 0"},
-              {"cell", "cell -5 -5 to 5 5"},
+              {"cell", "periodic cell -5 -5 to 5 5"},
               {"box.", "box -5 -5 to 5 5 m"},
               {"walls.", "box -5 -5 to 5 5 m"}};
   for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {

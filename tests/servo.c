@@ -331,7 +331,7 @@ static void servo_through_a_cell(void) {
   struct written it;
   words_add(&page,
             "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nlattice discs 6 by 6 m radius 1 from 1 1\n"
-            "cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle\nstage s\n"
+            "periodic cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle\nstage s\n"
             "cell strain %g per cycle %g per cycle\n"
             "servo mean 5 on cell through cell at most 1e-4 per cycle every 4 cycles\ncycles 1500\n",
             shear, -shear);

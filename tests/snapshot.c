@@ -183,8 +183,9 @@ static void rings_in_a_cell(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\ncell 0 0 to 10 10\nmaterial m density 1 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
-                   "region A circle 5 5 radius 4 rings 1\nstep 0.1\nrecord A.porosity\nstage s\ncycles 5\nsnapshot\n");
+  words_add(&page,
+            "units none\nperiodic cell 0 0 to 10 10\nmaterial m density 1 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
+            "region A circle 5 5 radius 4 rings 1\nstep 0.1\nrecord A.porosity\nstage s\ncycles 5\nsnapshot\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.porosity"), 15 / 16., 1e-14);
@@ -275,8 +276,9 @@ static void contacts_in_a_cell(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\ncell 0 0 to 10 10\nmaterial m density 2e15 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
-                   "disc 9 6.9 radius 1 m velocity 9 0\nstep 0.05\nrecord time\nstage s\ncycles 10\nsnapshot from s\n");
+  words_add(&page,
+            "units none\nperiodic cell 0 0 to 10 10\nmaterial m density 2e15 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
+            "disc 9 6.9 radius 1 m velocity 9 0\nstep 0.05\nrecord time\nstage s\ncycles 10\nsnapshot from s\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const struct nb_table *contacts = &result.snapshots[0].contacts, *lattice = &result.snapshots[0].lattice;

@@ -514,13 +514,13 @@ static double error_of(const struct slow *slow, struct written *it, double longe
 /* ---- symptoms: what a run above the limit shows ---- */
 
 struct symptom {
-  double energy;    /* largest energy.residual over the energy at the start */
+  double energy;    /* largest energy.balance over the energy at the start */
   double imbalance; /* mean of unbalanced.max over the last tenth */
   double force;     /* mean contact force over that at rest, over the last half */
   double kinetic;   /* kinetic energy at the end over that at the start */
   char text[64];    /* names the guard that stops the run; empty: none does */
 };
-static const char *const kick_record = "unbalanced.max energy.residual energy.kinetic energy.stored";
+static const char *const kick_record = "unbalanced.max energy.balance energy.kinetic energy.stored";
 
 /* The guard that printed the message; a message that names none is an error. */
 static const char *guard_of(const char *text) {
@@ -551,7 +551,7 @@ static struct symptom symptom_of(struct written *it, double step, double distanc
       symptom.energy = INFINITY;
       break;
     }
-    symptom.energy = fmax(symptom.energy, fabs(quantity(model, "energy.residual")) / energy);
+    symptom.energy = fmax(symptom.energy, fabs(quantity(model, "energy.balance")) / energy);
     if (n >= cycles - cycles / 10)
       symptom.imbalance += quantity(model, "unbalanced.max"), late++;
     if (n >= cycles / 2)
@@ -863,7 +863,7 @@ static void note(struct soft *soft, double damping, double f, const struct sympt
 static void write_soft(FILE *out, FILE *table, struct soft *soft, const struct system *system, double ratio) {
   *soft = (struct soft){
       .energy = {INFINITY, -INFINITY}, .imbalance = {INFINITY, -INFINITY}, .force = {INFINITY, -INFINITY}};
-  fputs("| damping ratio | step over limit | force over that at rest | `unbalanced.max` | `energy.residual` | "
+  fputs("| damping ratio | step over limit | force over that at rest | `unbalanced.max` | `energy.balance` | "
         "`energy.kinetic` |\n| --- | --- | --- | --- | --- | --- |\n",
         out);
 
@@ -959,7 +959,7 @@ static void write_beginning(FILE *out) {
       "of\n"
       "these:\n\n"
       "- *message*: a guard stops the run.\n"
-      "- *energy*: the largest `energy.residual` exceeds %g %% of the initial energy.\n"
+      "- *energy*: the largest `energy.balance` exceeds %g %% of the initial energy.\n"
       "- *imbalance*: the mean `unbalanced.max` at the end exceeds %g %%.\n"
       "- *silent*: none of these.\n\n"
       "Energy and imbalance must also be three times as large as in the same run at half the limit.\n",
@@ -1075,7 +1075,7 @@ static void write_zone(FILE *out, FILE *table, int system, double ratio) {
       out,
       "\nUp to %g times the limit %s.\n\n"
       "- Up to %g times the limit the mean contact force is %.2f to %.2f of that at rest.\n"
-      "- `energy.residual` is at most %.2g of the initial energy below the limit, and %.2g to %.2g above it, "
+      "- `energy.balance` is at most %.2g of the initial energy below the limit, and %.2g to %.2g above it, "
       "up to %g times the limit.\n"
       "- With damping `unbalanced.max` is at most %.0e below the limit, and %.2g to %.2g above it, up to %g times the "
       "limit.\n",
@@ -1095,7 +1095,7 @@ static void write_above(FILE *out, const char *folder) {
       "of the overlap in the first cycle, in x and in y. The tables show what a user could record. The force is the "
       "mean of all\n"
       "contacts over the last half of the cycles, and `unbalanced.max` is averaged over the last tenth.\n"
-      "`energy.residual` is the largest residual divided by the initial energy, and `energy.kinetic` the last kinetic\n"
+      "`energy.balance` is the largest residual divided by the initial energy, and `energy.kinetic` the last kinetic\n"
       "energy divided by the first. *Stopped* names the guard that stopped the run. *motion*: a particle moved by more "
       "than its\n"
       "radius in one step. *overlap*: two particles overlapped by more than the smaller radius. *crossing*: the "
@@ -1107,7 +1107,7 @@ static void write_above(FILE *out, const char *folder) {
       "rounding "
       "errors, "
       "above\n"
-      "the limit it stays at about 1 %% or more. Without damping the vibrations never end, and `energy.residual` "
+      "the limit it stays at about 1 %% or more. Without damping the vibrations never end, and `energy.balance` "
       "shows\n"
       "the growth. In the damped packing only few discs vibrate up to 1.02 times the limit. The imbalance is then "
       "about 1 "

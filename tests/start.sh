@@ -73,7 +73,7 @@ cat >"$pages/compressed.md" <<'END'
 ```scene
 units   none
 material m  density 1  kn 100
-cell    0 0 to 4 4
+periodic cell    0 0 to 4 4
 disc    2 2 radius 0.5 m
 step    0.01
 record  time
@@ -312,7 +312,7 @@ result $? 'pages that start from one with an impact run again from its state'
 
 # The balance of work begins with the state. The velocity of a disc that falls differs between t_N and half a step before.
 printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ngravity 0 -1\nstep 0.015625\nrecord time\nstage a\ncycles 8\n```\n' >"$pages/fell.md"
-printf '```scene\nunits none\nstart fell stage a\nrecord work.residual\nstage b\ncycles 8\n```\n```expect\nwork.residual min expected 0 within 1e-12 [weight]\nwork.residual max expected 0 within 1e-12 [weight]\n```\n' >"$pages/falls.md"
+printf '```scene\nunits none\nstart fell stage a\nrecord work.balance\nstage b\ncycles 8\n```\n```expect\nwork.balance min expected 0 within 1e-12 [weight]\nwork.balance max expected 0 within 1e-12 [weight]\n```\n' >"$pages/falls.md"
 "$nineball" check "$pages/falls.md" --states "$states" >"$work/said" 2>&1
 result $? 'the balance of work of a page that starts from another one'
 rm "$states"/*.state
@@ -395,7 +395,7 @@ units     none
 material  m density 3 friction 0.3 young 50000 poisson 0.2
 normal    hertz
 shear     mindlin
-cell      0 0 to 8 8
+periodic cell      0 0 to 8 8
 lattice   spheres 4 by 4 m radius 1 spacing 2 from 1 1
 region    A all
 record    time A.stress.xx A.stress.yy cell.xx cell.strain.volumetric

@@ -71,7 +71,7 @@ static void all_dampings(void) {
 /* The balances of a continued run count from the saved state on. From then on their terms and residuals change as in
  * the uninterrupted run. */
 static void balances_begin_anew(void) {
-  static const char *const balance[] = {"work.residual", "energy.residual", "energy.walls",
+  static const char *const balance[] = {"work.balance",  "energy.balance",  "energy.walls",
                                         "energy.damped", "energy.friction", "energy.gravity"};
   static const char *const shears[] = {"linear", "mindlin_deresiewicz"};
   for (size_t l = 0; l < 2; l++) {
@@ -85,7 +85,7 @@ static void balances_begin_anew(void) {
     char *columns = strstr(page.text, "energy.kinetic\n");
     char *text = malloc(strlen(page.text) + 256);
     sprintf(text,
-            "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.friction "
+            "%.*senergy.kinetic energy.stored work.balance energy.balance energy.walls energy.damped energy.friction "
             "energy.gravity\n%s",
             (int)(columns - page.text), page.text, columns + strlen("energy.kinetic\n"));
     free(page.text);
@@ -99,16 +99,16 @@ static void balances_begin_anew(void) {
     CU_ASSERT_PTR_NOT_NULL_FATAL(next);
     nb_saved_free(&saved);
     const double level = written_now(model, "energy.kinetic") + written_now(model, "energy.stored");
-    double before[6], drift = written_now(model, "energy.residual");
+    double before[6], drift = written_now(model, "energy.balance");
     for (size_t k = 0; k < 6; k++) {
       CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), 0, 1e-14 * level);
       before[k] = written_now(model, balance[k]);
     }
     continued_stages(model, 2, 4), continued_stages(next, 2, 4);
-    drift = written_now(model, "energy.residual") - drift;
+    drift = written_now(model, "energy.balance") - drift;
     for (size_t k = 0; k < 6; k++)
       CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), written_now(model, balance[k]) - before[k], 1e-12 * level);
-    CU_ASSERT_DOUBLE_EQUAL(written_now(next, "energy.residual"), drift, 1e-12 * level);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(next, "energy.balance"), drift, 1e-12 * level);
     CU_ASSERT(fabs(written_now(next, "energy.walls")) > 0.01 * level);
     nb_model_free(next), nb_model_free(model);
     written_free(&it);

@@ -57,16 +57,17 @@ static void a_ring(void) {
   same("ring, ratio", ring, "damping ratio 0.1");
 }
 
-static const char cell[] = GRAINS "cell 0 0 to 12 12\nfill spheres box 0.5 0.5 to 11.5 11.5 g m seed 2 attempts 100000 "
-                                  "else skip\ngravity 0.01 0\nrecord time "
-                                  "cell.stress.mean\n"
-                                  "stage gather\ncell strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
-                                  "stage gather-on\nstep 0.0007\ncycles 200\n"
-                                  "stage shear\ncell strain 0 0 c12 0.1 c21 0.02\ncycles 300\n"
-                                  "stage shear-on\nstep 0.001\ncycles 2000\n"
-                                  "stage back\nreverse velocities\ncycles 100\n"
-                                  "stage less\nremove sphere 20\nrotation off\ncycles 100\n"
-                                  "stage less-on\nstep 0.0012\ncycles 100\n";
+static const char cell[] =
+    GRAINS "periodic cell 0 0 to 12 12\nfill spheres box 0.5 0.5 to 11.5 11.5 g m seed 2 attempts 100000 "
+           "else skip\ngravity 0.01 0\nrecord time "
+           "cell.stress.mean\n"
+           "stage gather\ncell strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
+           "stage gather-on\nstep 0.0007\ncycles 200\n"
+           "stage shear\ncell strain 0 0 c12 0.1 c21 0.02\ncycles 300\n"
+           "stage shear-on\nstep 0.001\ncycles 2000\n"
+           "stage back\nreverse velocities\ncycles 100\n"
+           "stage less\nremove sphere 20\nrotation off\ncycles 100\n"
+           "stage less-on\nstep 0.0012\ncycles 100\n";
 
 static void a_cell(void) {
   same("cell", cell, "");

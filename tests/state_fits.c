@@ -325,7 +325,7 @@ static void contacts_of_the_last_step_continue(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 100 ks 50 friction 0.3\nshear linear\n"
                    "disc 0.3 0.95 radius 1 m velocity 0.1 -0.2\ndisc -0.2 2.9 radius 1 m velocity 0.2 0\n"
                    "wall a -5 0 to 0 0 m\nwall b 0 0 to 5 -2 m\n"
-                   "record energy.residual\nstep 0.01\nstage a\ncycles 3\nstage b\ncycles 3\n");
+                   "record energy.balance\nstep 0.01\nstage a\ncycles 3\nstage b\ncycles 3\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
@@ -574,7 +574,7 @@ static const struct {
      "stage d-on\nstep 0.001\ncycles 10\nstage e\nremove discs 5 to 6\ncycles 10\nstage e-on\nstep 0.0008\ncycles 10\n"
      "stage f\nboundary none\naffine none\ncycles 10\nstage f-on\nstep 0.001\ncycles 10\n"},
     {"a cell", "units none\nmaterial m density 3 kn 4000 ks 3000 friction 0.3\nshear linear\n"
-               "lattice discs 3 by 3 m radius 1 spacing 1.99 from 0.1 0.2\ncell 0 0 to 5.97 5.97\nstep 0.001\n"
+               "lattice discs 3 by 3 m radius 1 spacing 1.99 from 0.1 0.2\nperiodic cell 0 0 to 5.97 5.97\nstep 0.001\n"
                "record time cell.xy cell.stress.xy energy.kinetic\n"
                "stage a\ncell strain 0.1 -0.1 c12 0.3 c21 0.02\ncycles 20\nstage a-on\nstep 0.0008\ncycles 10\n"
                "stage b\nreverse velocities\nrotation off\ncycles 10\nstage b-on\nstep 0.001\ncycles 10\n"},

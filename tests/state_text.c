@@ -20,7 +20,7 @@ const char state_ring[] =
     "circle 0 0 radius 2.5\nstep 0.001\nstage a\nboundary strain 0.1 -0.1\naffine "
     "strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n";
 const char state_cell[] = "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 "
-                          "from 0.1 0.2\ncell 0 0 to 5.97 "
+                          "from 0.1 0.2\nperiodic cell 0 0 to 5.97 "
                           "5.97\nstep 0.001\nstage a\ncell strain 0.1 -0.1 c12 0.3 c21 0\ncycles 20\n";
 
 char *state_of(const char *statements, size_t *size) {

@@ -70,14 +70,14 @@ static void numbers_that_transform_makes_infinite(void) {
       {"wall w" BIG " to 1.7e308 1.6e308 m", ""},
       {"wall w 0 0 to 1 0 m velocity" BIG, ""},
       {"region A circle" BIG " radius 1", ""},
-      {"cell" BIG " to 1.79e308 1.79e308", ""},
+      {"periodic cell" BIG " to 1.79e308 1.79e308", ""},
       {"gravity" BIG, ""},
       {"boundary circle" BIG " radius 1", ""},
       {"skin 1", "boundary circle" BIG " radius 1"},
       {"skin 1", "gravity" BIG},
       {"skin 1", "gravity centripetal 1 about" BIG},
       {"skin 1", "affine strain 1.7e308 -1.7e308 c12 1.7e308 c21 1.7e308"},
-      {"cell 0 0 to 9 9", "cell strain 1.7e308 -1.7e308 c12 1.7e308 c21 1.7e308"},
+      {"periodic cell 0 0 to 9 9", "cell strain 1.7e308 -1.7e308 c12 1.7e308 c21 1.7e308"},
       {"boundary circle 0 0 radius 1", "boundary strain 1.7e308 -1.7e308 c12 1.7e308 c21 1.7e308"},
       {"boundary circle 0 0 radius 1", "boundary stress 1.7e308 1.7e308 shear 1.7e308"},
       {"wall w 0 0 to 1 0 m", "wall w velocity" BIG},
@@ -275,9 +275,9 @@ static void conditions_that_count_from_the_first_page(void) {
       {"skin 1", "time above 1", "`time` counts from the start of the first page, `stage.time` from that of the stage"},
       {"skin 1", "stage.time above 1", NULL},
       {"skin 1", "cycle above 1", NULL},
-      {"cell -9 -9 to 9 9", "cell.strain.xx below -1",
+      {"periodic cell -9 -9 to 9 9", "cell.strain.xx below -1",
        "`cell.strain.xx` counts from the start of the first page; a small strain"},
-      {"cell -9 -9 to 9 9", "cell.stress.xx above 1", NULL},
+      {"periodic cell -9 -9 to 9 9", "cell.stress.xx above 1", NULL},
       {"box -9 -9 to 9 9 m", "box.strain.width below -1",
        "`box.strain.width` counts from the start of the first page; a small"},
       {"box -9 -9 to 9 9 m", "box.stress.xx above 1", NULL},
@@ -404,7 +404,7 @@ static void hints_for_a_servo(void) {
 #define ON_WALLS " on walls through box at most 1e-6 per cycle`; `xx P` and `yy P` control components"
 #define ON(place)                                                                                                      \
   " on " place " through " place " at most 1e-6 per cycle`; `xx P`, `yy P` and `xy P` control components"
-  static const char box[] = "box 0 m 0 m to 9 m 9 m rock", cell[] = "cell 0 m 0 m to 9 m 9 m",
+  static const char box[] = "box 0 m 0 m to 9 m 9 m rock", cell[] = "periodic cell 0 m 0 m to 9 m 9 m",
                     ring[] = "boundary circle 0 m 0 m radius 1 m", none[] = "skin 1 mm";
   static const struct {
     const char *object, *line, *wanted; /* wanted: the target and the place in the hint; NULL: there is no hint */
@@ -475,7 +475,7 @@ static void hints_for_a_servo(void) {
 /* The hint for `until box.height below 0.75 of box.height` has the strain rate of the stage, if the rate leads to this
  * fraction, is not per cycle, and no servo changes it; otherwise an example of the right sign. */
 static void hints_for_a_fraction_of_a_size(void) {
-  static const char box[] = "box 0 0 to 9 9 rock", cell[] = "cell 0 0 to 9 9";
+  static const char box[] = "box 0 0 to 9 9 rock", cell[] = "periodic cell 0 0 to 9 9";
   static const struct {
     const char *object, *in_stage, *condition, *wanted;
   } rows[] = {
@@ -997,8 +997,8 @@ static void statements_below_a_mistake(void) {
       {"wall w 0 0 to 0 0 m", "", "walls stop"},
       {"box 9 9 to 0 0 m", "", "box strain 0 1"},
       {"box 9 9 to 0 0 m", "", "servo mean 1 on box through box at most 1"},
-      {"cell 9 9 to 0 0", "", "cell strain 0 1"},
-      {"cell 9 9 to 0 0", "perturb wave 1 1 periods 1 1", ""},
+      {"periodic cell 9 9 to 0 0", "", "cell strain 0 1"},
+      {"periodic cell 9 9 to 0 0", "perturb wave 1 1 periods 1 1", ""},
       {"boundary circle 0 0", "", "boundary fixed"},
       {"boundary circle 0 0", "region A inside 0.5", ""},
       {"lattice discs", "monitor D disc 7", ""},
@@ -1041,7 +1041,7 @@ static void names_that_exist(void) {
       {"region A all\nmonitor A disc 1", "", "there is a region `A` already, on line 5"},
       {"region A all\nregion A all", "", "there is a region `A` already, on line 5"},
       {"", "stage s\ncycles 1", "there is a stage `s` already, on line 8"},
-      {"cell -9 -9 to 9 9\ncell -9 -9 to 9 9", "", "`cell` is given twice, first on line 5"},
+      {"periodic cell -9 -9 to 9 9\nperiodic cell -9 -9 to 9 9", "", "`periodic cell` is given twice, first on line 5"},
       {"gravity 0 1\ngravity 0 1", "", "`gravity` is given twice, first on line 5"},
       {"boundary circle 0 0 radius 1\nboundary circle 0 0 radius 1", "", "`boundary` is given twice, first on line 5"},
       {"transform rotate 1\ntransform rotate 1", "", "`transform` is given twice, first on line 5"},
@@ -1112,7 +1112,7 @@ static void corners(void) {
     char text[300], line[100];
     snprintf(line, sizeof line,
              k % 3 == 0   ? "box %s m"
-             : k % 3 == 1 ? "cell %s"
+             : k % 3 == 1 ? "periodic cell %s"
                           : "region A box %s",
              rows[k / 3].corners);
     snprintf(text, sizeof text, "units none\nmaterial m density 1 kn 1\n%s\ndisc 1 1 radius 0.1 m fixed\n" GO, line);

@@ -351,7 +351,7 @@ static void steps_that_spheres_do_not_have(void) {
        9},
       {"sphere 0 3 radius 1 m velocity 0 -1 fixed\nsphere 0 0 radius 1 m fixed\nstep 9 per collision\n",
        "no pair approaches", 9},
-      {"cell 0 0 to 9 9\nsphere 0 3 radius 1 m velocity 0 1\nsphere 0 6 radius 1 m\nstep 9 per collision\n",
+      {"periodic cell 0 0 to 9 9\nsphere 0 3 radius 1 m velocity 0 1\nsphere 0 6 radius 1 m\nstep 9 per collision\n",
        "not predicted in a periodic cell: write a time, or `step 0.2 of rayleigh`", 10},
       {"sphere 0 3 radius 1 r\nstep 0.1 of rayleigh\n", "there are no waves: write a time, or `step 0.2 of stable`", 8},
   };
@@ -370,8 +370,8 @@ static void steps_that_spheres_do_not_have(void) {
     written_free(&it);
   }
   /* in a periodic cell the other steps of elastic spheres are defined, and so are collisions of linear springs */
-  CU_ASSERT(step_of(SPHERES "cell 0 0 to 9 9\nsphere 1 1 radius 1 m\nstep 0.1 of rayleigh\n") > 0);
-  NEAR(step_of(PAIR "cell 0 0 to 9 9\nlattice discs 2 by 1 radius 1 spacing 4 m\nstep 1 of collision\n"),
+  CU_ASSERT(step_of(SPHERES "periodic cell 0 0 to 9 9\nsphere 1 1 radius 1 m\nstep 0.1 of rayleigh\n") > 0);
+  NEAR(step_of(PAIR "periodic cell 0 0 to 9 9\nlattice discs 2 by 1 radius 1 spacing 4 m\nstep 1 of collision\n"),
        3.14159265358979323846 / 4, 1e-14);
   /* with an overlap elastic spheres have a limit: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of stable\n"), sqrt(0.5 / sqrt(0.05)),

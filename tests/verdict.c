@@ -64,9 +64,9 @@ static void within(void) {
       {"A.x amplitude within 0.5", {3}, 3, {0, 7, 3}, 1, 1},
       {"A.x amplitude within 0.5", {3}, 3, {0, 7, 3}, 0, -1},
       {"A.x frequency in all within 0.25", {0.25}, 6, {-1, 1, -1, 1, -1, 1}, 4, 1},
-      {"energy.residual within 0.5", {0}, 1, {0.5}, 0, 1},
-      {"energy.residual within 0.5", {0}, 1, {-0.5}, 0, -1},
-      {"energy.residual max within 25 % of A.y max", {0}, 3, {0, 1, 0}, 1, 1},
+      {"energy.balance within 0.5", {0}, 1, {0.5}, 0, 1},
+      {"energy.balance within 0.5", {0}, 1, {-0.5}, 0, -1},
+      {"energy.balance max within 25 % of A.y max", {0}, 3, {0, 1, 0}, 1, 1},
   };
   edges(list, COUNT(list));
 }
@@ -309,7 +309,7 @@ static void reference_of_a_stage(void) {
               "does not return `A.x at 500`"); /* without a stage, nothing can be left out of the name */
   planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "reference 6");
   planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not return `A.x`");
-  planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "reference 3");
+  planted_one("energy.balance in one within 0", "energy.balance", 3, 6, x, NB_PASS, "reference 3");
 }
 
 /* `MEASURE within TOLERANCE` outside of a page. The message names the text. */
@@ -319,14 +319,14 @@ static void expectation_outside_of_a_page(void) {
   } rows[] = {
       {"A.x within 1 %", NULL},
       {"A.x max in one within 2", NULL},
-      {"energy.residual within 1", NULL},
+      {"energy.balance within 1", NULL},
       {"", "that: error: expected a quantity that the page records, found the end of the line\n"},
       {"# A.x within 1 %", "that: error: expected a quantity that the page records, found the end of the line\n"},
       {"A.x", "that: error: expected `within`"},
       {"A.x within", "that: error: expected a length as a number without a unit"},
       {"A.z within 1 %", "that: error: expected a quantity that the page records, found `A.z`"},
       {"A.x within 1 % of peak and", "that: error: expected the end of the text, found `and`\n"},
-      {"energy.residual within 1 %", "that: error: expected an absolute tolerance, because the reference value is 0"},
+      {"energy.balance within 1 %", "that: error: expected an absolute tolerance, because the reference value is 0"},
   };
   struct nb_outcome outcome;
   planted_page(&outcome, "", "report A.x");
@@ -417,33 +417,33 @@ static void one_sign_of_a_residual(void) {
     double x[6];
     bool noted;
   } rows[] = {
-      {"energy.residual max in one below 1", {-3, -2, 0}, true},
-      {"energy.residual max in one below 1", {-0.5, -0.2, 0}, false},
-      {"energy.residual max in one below 1", {-1.0001, -0.2, 0}, true},
-      {"energy.residual max in one below 1", {-0.9999, -0.2, 0}, false},
-      {"energy.residual max in one within 1", {-1.0001, -0.2, 0}, true},
-      {"energy.residual min in one above -1", {0, 2, 0}, true},
-      {"energy.residual min in one above -3", {0, 2, 0}, false},
-      {"energy.residual max in one expected 0 within 1  [t]", {-3, -2, 0}, true},
-      {"energy.residual max in one within 1", {-3, -2, 0}, true},
-      {"energy.residual max in one within 1", {-1, 0.5, 0}, false},
-      {"energy.residual max in one within 1\nenergy.residual min in one within 1", {-3, -2, 0}, false},
-      {"energy.residual max in one within 1\nenergy.residual min in two within 1", {-3, -2, 0}, true},
-      {"energy.residual max in one within 1\nenergy.residual min in all within 9", {-3, -2, 0}, true},
-      {"energy.residual max in one within 1\nenergy.residual mean in one within 9", {-3, -2, 0}, true},
-      {"energy.residual max in one within 1\nA.x min in one below 9", {-3, -2, 0}, true},
-      {"energy.residual max within 1", {0, 0, 0, -3, -2, 0}, true},
-      {"energy.residual max in one within 25 % of A.y max in one", {-3, -2, 0}, true}, /* 25 % of 4 */
-      {"energy.residual max in one within 25 % of A.y max in one", {-0.5, -0.2, 0}, false},
-      {"energy.residual max in one within 25 % of A.y max in one", {-1.0001, -0.2, 0}, true},
-      {"energy.residual max in one within 25 % of A.y max in one", {-0.9999, -0.2, 0}, false},
-      {"energy.residual max in one within 25 % of A.vx in one", {-1.0001, -0.2, 0}, true}, /* A.vx is -4 */
-      {"energy.residual max in one within 25 % of A.vx in one", {-0.9999, -0.2, 0}, false},
-      {"energy.residual min in one above -1", {0, 1.0001, 0}, true},
-      {"energy.residual min in one above -1", {0, 0.9999, 0}, false},
-      {"energy.residual mean in one within 1", {-3, 0.1, 2.9}, false}, /* a mean has no other sign */
-      {"energy.residual max in one expected 1 within 1 [t]", {-3, -2, 0}, false},
-      {"energy.residual max in one expected 0 of A.y max in one within 1 [t]", {-9, -2, 0}, false},
+      {"energy.balance max in one below 1", {-3, -2, 0}, true},
+      {"energy.balance max in one below 1", {-0.5, -0.2, 0}, false},
+      {"energy.balance max in one below 1", {-1.0001, -0.2, 0}, true},
+      {"energy.balance max in one below 1", {-0.9999, -0.2, 0}, false},
+      {"energy.balance max in one within 1", {-1.0001, -0.2, 0}, true},
+      {"energy.balance min in one above -1", {0, 2, 0}, true},
+      {"energy.balance min in one above -3", {0, 2, 0}, false},
+      {"energy.balance max in one expected 0 within 1  [t]", {-3, -2, 0}, true},
+      {"energy.balance max in one within 1", {-3, -2, 0}, true},
+      {"energy.balance max in one within 1", {-1, 0.5, 0}, false},
+      {"energy.balance max in one within 1\nenergy.balance min in one within 1", {-3, -2, 0}, false},
+      {"energy.balance max in one within 1\nenergy.balance min in two within 1", {-3, -2, 0}, true},
+      {"energy.balance max in one within 1\nenergy.balance min in all within 9", {-3, -2, 0}, true},
+      {"energy.balance max in one within 1\nenergy.balance mean in one within 9", {-3, -2, 0}, true},
+      {"energy.balance max in one within 1\nA.x min in one below 9", {-3, -2, 0}, true},
+      {"energy.balance max within 1", {0, 0, 0, -3, -2, 0}, true},
+      {"energy.balance max in one within 25 % of A.y max in one", {-3, -2, 0}, true}, /* 25 % of 4 */
+      {"energy.balance max in one within 25 % of A.y max in one", {-0.5, -0.2, 0}, false},
+      {"energy.balance max in one within 25 % of A.y max in one", {-1.0001, -0.2, 0}, true},
+      {"energy.balance max in one within 25 % of A.y max in one", {-0.9999, -0.2, 0}, false},
+      {"energy.balance max in one within 25 % of A.vx in one", {-1.0001, -0.2, 0}, true}, /* A.vx is -4 */
+      {"energy.balance max in one within 25 % of A.vx in one", {-0.9999, -0.2, 0}, false},
+      {"energy.balance min in one above -1", {0, 1.0001, 0}, true},
+      {"energy.balance min in one above -1", {0, 0.9999, 0}, false},
+      {"energy.balance mean in one within 1", {-3, 0.1, 2.9}, false}, /* a mean has no other sign */
+      {"energy.balance max in one expected 1 within 1 [t]", {-3, -2, 0}, false},
+      {"energy.balance max in one expected 0 of A.y max in one within 1 [t]", {-9, -2, 0}, false},
       {"A.x max in one below 1", {-3, -2, 0}, false},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
@@ -458,9 +458,9 @@ static void one_sign_of_a_residual(void) {
     nb_outcome_free(&outcome);
   }
   /* the note has the other extreme value; a value larger by a thousandth would have other digits */
-  planted_one("energy.residual max in one below 1", NULL, 0, 6, (double[6]){-2.4945, -2, 0.5}, NB_PASS,
+  planted_one("energy.balance max in one below 1", NULL, 0, 6, (double[6]){-2.4945, -2, 0.5}, NB_PASS,
               "computed 0.5 and 1; but a residual has both signs: `min` is -2.49, check it too");
-  planted_one("energy.residual min in one above -1", NULL, 0, 6, (double[6]){-0.5, 2.4945, 0.5}, NB_PASS,
+  planted_one("energy.balance min in one above -1", NULL, 0, 6, (double[6]){-0.5, 2.4945, 0.5}, NB_PASS,
               "computed -0.5 and -1; but a residual has both signs: `max` is 2.49, check it too");
 }
 

@@ -107,7 +107,7 @@ static void orders(void) {
       /* log2 of the errors is 0, 1, 4 at log2(h) = 0, 1, 2: the best line has the slope 2 and passes through none of
        * the points */
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {1, 2, 16}, NB_PASS, ""},
-      {"sweep h 1 2 4", "energy.residual order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, ""},
+      {"sweep h 1 2 4", "energy.balance order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, ""},
       {"sweep h 1 2 4",
        "A.x order 2 in h within 9",
        {1, 0, 16},

@@ -17,7 +17,7 @@ static void a_wave_is_a_sine_from_the_centre(void) {
   struct words page = {0};
   struct written it;
   words_add(&page,
-            "units none\nmaterial m density 1 kn 1\ncell 2 1 to 42 17\n"
+            "units none\nmaterial m density 1 kn 1\nperiodic cell 2 1 to 42 17\n"
             "lattice discs 5 by 3 from 4 3 radius 0.9 spacing 5 m\ndisc 40 16 radius 0.5 m fixed\n"
             "disc 7 6 radius 0.5 m velocity 3 4\nperturb wave 0.2 -0.1 periods 2 -1\nperturb wave 0 0.5 periods 0 3\n"
             "disc 10 6 radius 0.5 m velocity 1 2\nstep 1\nrecord time\nstage s\ncycles 1\n");

@@ -9,13 +9,13 @@
  * and t the tangent of the contact, P and Q are its normal and tangential forces with the dashpots, and F_s is the
  * force of the shear spring. alpha is the overlap, s the slip, v the relative velocity of the centres, and w an angular
  * velocity. The time step enters only through the end of the run, after all cycles of all stages, and as a factor of
- * energy.residual. So a run differs from this solution by the error of its step.
+ * energy.balance. So a run differs from this solution by the error of its step.
  *
  * Returns, at the end:
  *   B.x, y, angle, vx, vy, spin    for B that monitors a particle
  *   C.overlap, normal, shear       for C that monitors the contact
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
- *   energy.residual                h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
+ *   energy.balance                h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
  *                                  a wall. [CS79 15] takes t at the end of the step. The
  *                                  work is computed with the forces at both ends. Between them
  *                                  t rotates with the angular velocity (v.t)/D. This gives the
@@ -31,7 +31,7 @@
 
 #include "reference.h"
 
-/* The unknowns: six of each particle, the shear force of the spring, and the integral of energy.residual. */
+/* The unknowns: six of each particle, the shear force of the spring, and the integral of energy.balance. */
 enum { X, Y, VX, VY, ANGLE, SPIN, SECOND, SHEAR = 2 * SECOND, RESIDUAL, UNKNOWNS };
 enum { SAMPLES = 1000 }; /* times at which the friction limit is checked */
 
@@ -215,7 +215,7 @@ static void add_sums(struct nb_solution *solution, const struct pair *pair, cons
   solution_value(solution, kinetic, "energy.kinetic");
   solution_value(solution, normal + (pair->values.ks > 0 ? y[SHEAR] * y[SHEAR] / (2 * pair->values.ks) : 0),
                  "energy.stored");
-  solution_value(solution, step / 2 * y[RESIDUAL], "energy.residual");
+  solution_value(solution, step / 2 * y[RESIDUAL], "energy.balance");
   solution_value(solution, px, "momentum.x"), solution_value(solution, py, "momentum.y");
   solution_value(solution, angular, "momentum.angular");
 }

@@ -61,7 +61,7 @@ soft = folder.'/soft.tsv'
 at(d, what) = strcol('system') eq 'nine-discs' && column('damping') == d ? column(what) : NaN
 set multiplot layout 1,2
 set yrange [1e-4:1e8]
-set title 'Nine discs: largest energy.residual / initial energy'
+set title 'Nine discs: largest energy.balance / initial energy'
 plot soft using 'f':(at(0, 'energy')) with linespoints ls 1 pt 7 title 'damping 0', \
      '' using 'f':(at(0.1, 'energy')) with linespoints ls 2 pt 7 title '0.1', \
      '' using 'f':(at(1, 'energy')) with linespoints ls 3 pt 7 title '1'

@@ -1,4 +1,4 @@
-/* The periodic cell, how stages strain it, and waves in it: `cell`, `perturb wave`, `cell strain`.
+/* The periodic cell, how stages strain it, and waves in it: `periodic cell`, `perturb wave`, `cell strain`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -24,18 +24,19 @@ NB_APPLY(apply_cell) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const double x = value[AT_X].number, y = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
-  if (!nb_given_twice(reader, scene->cell.line) && !nb_corners_swapped(reader, x, y, x1, y1))
+  if (!nb_set_twice(reader, "`periodic cell`", scene->cell.line) && !nb_corners_swapped(reader, x, y, x1, y1))
     scene->cell = (struct nb_scene_cell){
         .x = x + (x1 - x) / 2, .y = y + (y1 - y) / 2, .h = {x1 - x, 0, 0, y1 - y}, .line = (int)reader->line};
 }
 
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
-  if (!scene->cell.line && nb_statement_suppressed(reader->mistakes, "cell"))
+  if (!scene->cell.line && nb_statement_suppressed(reader->mistakes, "periodic"))
     nb_fail_silently(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0],
-                     reader->starts ? "the page from which this page starts has none"
-                                    : NB_DEFINE(reader, "define it above, before the stages, with `cell X Y to X Y`"),
+                     reader->starts
+                         ? "the page from which this page starts has none"
+                         : NB_DEFINE(reader, "define it above, before the stages, with `periodic cell X Y to X Y`"),
                      "expected a scene with a periodic cell, found none");
   return reader->bad;
 }
@@ -73,7 +74,7 @@ NB_APPLY(apply_wave) {
   }
 }
 
-/* Reports a mistake of the whole cell, at the line of the statement `cell`. */
+/* Reports a mistake of the whole cell, at the line of the statement `periodic cell`. */
 static void report(struct nb_scene_reading *reading, const char *hint, const char *what) {
   nb_line_mistake(&reading->reader, (size_t)reading->scene->cell.line, hint, "%s", what);
 }
@@ -104,9 +105,9 @@ void nb_cell_check(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(cell) = {
-  {"cell", NB_IN_SCENE | NB_IN_CELL, cell_fields, NULL, 0, false, apply_cell,
+  {"periodic cell", NB_IN_SCENE | NB_IN_CELL, cell_fields, NULL, 0, false, apply_cell,
    "Makes the scene periodic. Images of the cell fill the plane, and particles touch the images of others across the sides of the cell. All particles belong to the cell, wherever they are. A scene with a cell has no walls. The quantities of the cell are called `cell.NAME`.",
-   "cell      0 mm 0 mm to 80 mm 80 mm"},
+   "periodic  cell 0 mm 0 mm to 80 mm 80 mm"},
   {"perturb wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
    "Adds a plane wave to the velocities of the free particles that are defined above. The added velocity is the amplitude times sin(2 pi (NX x/LX + NY y/LY)). Here x and y are measured from the centre of the cell, and the cell is LX by LY.\n"
    "periods NX NY: whole numbers from -1000000 to 1000000. Numbers of waves in x and in y.",

@@ -134,7 +134,7 @@ static void read_line(struct wanted *wanted, const struct nb_reader *reader) {
 
 /* Finds the place of the page: its cell, or its box of walls. */
 static void read_place(struct wanted *wanted, const struct nb_reader *reader) {
-  static const char *const verbs[] = {"cell", "box"};
+  static const char *const verbs[] = {"periodic", "box"};
   const char *rest;
   for (size_t v = 0; v < 2 && !*wanted->place; v++)
     for (size_t k = 1; k <= reader->page->line_count && !*wanted->place; k++) {

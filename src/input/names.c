@@ -152,10 +152,10 @@ static const struct nb_quantity_kind kinds[] = {
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed_energy,
      "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts "
      "and of those of removed walls"},
-    {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
+    {"energy.balance", 0, "J", NB_OF_BALANCE, energy_residual,
      "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: the error of "
      "time integration"},
-    {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
+    {"work.balance", 0, "J", NB_REQUEST_WORK, work_residual,
      "kinetic energy at the half step, less its initial value and the work of all forces; it consists of rounding "
      "errors"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "momentum of all free particles"},
@@ -420,7 +420,7 @@ const char *nb_quantity_unit(struct nb_quantity quantity) { return unit_of(quant
 
 bool nb_quantity_is_residual(struct nb_quantity quantity) {
   const char *end = strrchr(quantity.kind->name, '.');
-  return end && strcmp(end, ".residual") == 0;
+  return end && (strcmp(end, ".residual") == 0 || strcmp(end, ".balance") == 0);
 }
 
 /* Owners of quantities: a statement that defines one, and the beginning of the names of its quantities. */
@@ -435,7 +435,7 @@ static const struct owner {
     {NB_OF_REGION, "a region", "region M all", "M.", NULL},
     {GRADING, "a grading", "monitor G grading NAME", "G.", NULL},
     {NB_OF_IMPACT, "an impact", "impact MONITOR speed V angle A", "", NULL},
-    {NB_OF_CELL, "a periodic cell", "cell X Y to X Y", "", NULL},
+    {NB_OF_CELL, "a periodic cell", "periodic cell X Y to X Y", "", NULL},
     {NB_OF_BOX, "a box of walls", "box X Y to X Y MATERIAL", "", NULL},
     {NB_OF_CONTACT_TEST, "a contact test", NULL, NULL, NULL},
     {0, "the scene", NULL, NULL, NULL},

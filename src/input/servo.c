@@ -34,16 +34,17 @@ static const struct nb_argument servo_fields[] = {
 /* ---- a line that works in this page ---- */
 
 const char *nb_page_place(const struct nb_page *page) {
-  static const char *const places[] = {"cell", "box", "boundary"};
+  static const struct {
+    const char *verb, *place;
+  } rows[] = {{"periodic", "cell"}, {"box", "box"}, {"boundary", "boundary"}};
+  const char *rest;
   for (size_t p = 0; p < 3; p++)
-    for (size_t k = 0; page->kind_of && k < page->line_count; k++) {
-      const char *at = page->lines[k] + strspn(page->lines[k], " \t");
-      const size_t length = strlen(places[p]);
-      if (page->kind_of[k] != 1 + NB_BLOCK_SCENE || strncmp(at, places[p], length) != 0)
+    for (size_t k = 1; k <= page->line_count; k++) {
+      if (!nb_page_statement(page, k, rows[p].verb, &rest))
         continue;
-      at += length + strspn(at + length, " \t");
-      if (p == 2 ? strncmp(at, "circle", strlen("circle")) == 0 : !isalpha((unsigned char)*at))
-        return places[p];
+      rest += strspn(rest, " \t");
+      if (p == 0 || (p == 1 ? !isalpha((unsigned char)*rest) : strncmp(rest, "circle", strlen("circle")) == 0))
+        return rows[p].place;
     }
   return NULL;
 }

@@ -441,7 +441,7 @@ static void grammar(const struct manual *to) {
 static void strains(const struct manual *to) {
   static const char *const rows[][2] = {
       {"cell strain", "moves the periodic cell and, with it, all particles. For a sample without walls or edges: "
-                      "compression and shear at uniform strain. Needs `cell`."},
+                      "compression and shear at uniform strain. Needs `periodic cell`."},
       {"box strain", "moves the four walls of a box, without shear; the walls push the particles. For a biaxial test "
                      "between walls, as in the laboratory. Needs `box`."},
       {"boundary strain", "moves the outermost particles of an assembly; contacts carry the motion inwards. For the "

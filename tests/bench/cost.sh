@@ -96,11 +96,11 @@ boundary-fixed | base | boundary | frame discs | | boundary circle $M $M radius 
 boundary-strain | boundary-fixed | boundary affine | frame discs | | boundary circle $M $M radius $R | boundary strain -1e-9 per cycle -1e-9 per cycle | | `boundary strain`
 boundary-stress | boundary-fixed | boundary | frame discs slow | | boundary circle $M $M radius $R | boundary stress 25 kPa 25 kPa | | `boundary stress`
 boundary-servo | boundary-fixed | boundary affine servo measures | frame discs | | boundary circle $M $M radius $R | boundary fixed; servo isotropic 1 MPa on boundary through boundary at most 1e-9 per cycle | | servo through the boundary, every 10 cycles
-search | cell | cell search stability | cell discs moving | | cell $C $C to $D $D | | | a search every 10 cycles
-work | base | balance | frame discs | | record work.residual | | | balance of work
-energy | base | balance | frame discs | | record energy.residual | | | balance of energy
-energy-shear | linear | rotation friction linear balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; record energy.residual | | | balance of energy, with `shear linear`
-energy-dashpots | dashpots-shear | rotation friction linear dashpots balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; damping stiffness 1e-5 s; record energy.residual | | | balance of energy, with `shear linear` and dashpots
+search | cell | cell search stability | cell discs moving | | periodic cell $C $C to $D $D | | | a search every 10 cycles
+work | base | balance | frame discs | | record work.balance | | | balance of work
+energy | base | balance | frame discs | | record energy.balance | | | balance of energy
+energy-shear | linear | rotation friction linear balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; record energy.balance | | | balance of energy, with `shear linear`
+energy-dashpots | dashpots-shear | rotation friction linear dashpots balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; damping stiffness 1e-5 s; record energy.balance | | | balance of energy, with `shear linear` and dashpots
 fracc | mindlin | elastic hertz rotation friction mindlin fracc | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear mindlin; record step.fracc | | | FRACC
 sliding | linear | rotation friction linear configuration | frame discs | ks 10 MN/m friction 0.5 | shear linear | snapshot from measured | | sliding since a stage
 until | base | conditions | frame discs | | | until time above $T at most 100000000 cycles | | `until`, a condition on time

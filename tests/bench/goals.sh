@@ -47,7 +47,7 @@ sheared() {
   $awk -v n="$side" -v rate="$1" -v cycles="$2" '
     /^step/ {
       d = 0.01995; h = d * sqrt(3) / 2
-      printf "%s\ncell %.9g m %.9g m to %.9g m %.9g m\n", $0, -d / 4, -h / 2, d * n - d / 4, h * n - h / 2
+      printf "%s\nperiodic cell %.9g m %.9g m to %.9g m %.9g m\n", $0, -d / 4, -h / 2, d * n - d / 4, h * n - h / 2
       printf "stage relax\nrecord none\ncycles 3000\nstage run\nrecord none\n"
       if (rate > 0) printf "cell strain 0 1/s 0 1/s c12 %g 1/s\n", rate
       printf "cycles %d\n```\n", cycles

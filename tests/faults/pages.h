@@ -18,7 +18,7 @@ static const struct {
      "# First\n\n```scene\n" STATEMENTS "record A.y energy.kinetic\nstage load\n  ramp gravity 0 m/s2 -1 m/s2\n  "
      "cycles 4\n  snapshot\n```\n"},
     {"second.md",
-     "# Second\n\n```scene\nstart first stage load\nmonitor A sphere 1\nrecord cycle A.y work.residual\nstage on\n  "
+     "# Second\n\n```scene\nstart first stage load\nmonitor A sphere 1\nrecord cycle A.y work.balance\nstage on\n  "
      "wall floor velocity 0 m/s 1 mm/s\n  remove sphere 2\n  material rock friction 0.2\n  cycles "
      "4\n```\n\n```expect\ncycle "
      "max  expected 8 within 1 %  [by hand]\n```\n"},
@@ -28,9 +28,9 @@ static const struct {
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},
     {"cell.md", "# Cell\n\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3\nshear linear\n"
-                "cell 0 m 0 m to 6 m 6 m\nlattice discs 3 by 3 rock radius 1 m\nregion W all from control\n"
+                "periodic cell 0 m 0 m to 6 m 6 m\nlattice discs 3 by 3 rock radius 1 m\nregion W all from control\n"
                 "step 0.1 of stable\nrecord W.stress.xx cell.stress.mean W.contacts.lost W.contacts.new "
-                "energy.residual W.strain.xx step.fracc\n"
+                "energy.balance W.strain.xx step.fracc\n"
                 "stage press\n  cell strain -1e-3 per cycle 0 per cycle\n  cycles 3\nstage control\n"
                 "  servo isotropic 1 kPa on cell through cell at most 1e-4 per cycle\n  remove disc 9\n  cycles 3\n"
                 "  snapshot from press\n```\n"},

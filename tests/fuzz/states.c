@@ -33,11 +33,12 @@ static const struct {
      "affine strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n",
      "stage b\nrotation on\ncycles 9\n"},
     {"```scene\nunits none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear randall\n"
-     "lattice spheres 3 by 3 m radius 1 spacing 1.99 from 0.1 0.2\ncell 0 0 to 5.97 5.97\nstep 0.001\nstage a\n"
+     "lattice spheres 3 by 3 m radius 1 spacing 1.99 from 0.1 0.2\nperiodic cell 0 0 to 5.97 5.97\nstep 0.001\nstage "
+     "a\n"
      "cell strain 0.1 -0.1 c12 0.3 c21 0\ncycles 20\n",
      "stage b\ncycles 9\n"},
     {"```scene\nunits none\nmaterial m density 3 kn 5000 ks 4000 friction 0.3\nshear linear\nregion A all\nstep 0.001\n"
-     "record time energy.residual energy.walls step.fracc step.stable A.stress.xx A.strain.xx A.contacts.lost\n"
+     "record time energy.balance energy.walls step.fracc step.stable A.stress.xx A.strain.xx A.contacts.lost\n"
      "lattice discs 2 by 2 m radius 0.5 spacing 0.999 from 0.5 0.5\nbox 0 0 to 2 2 m\nstage a\nwalls inward 0.5\n"
      "cycles 10\nsnapshot\n",
      "stage b\nramp material m friction 0.01 kn 9000\nramp gravity 0 -50\nramp walls inward -0.2\ncycles 20\n"
