@@ -380,7 +380,10 @@ static void assemblies(void) {
        {"  reverse velocities\n", "  reverse velocities\n  wall east velocity 0 0\n", "only in the first stage"},
        {"  reverse velocities\n  cycles  8000", "  reverse velocities\n  cycles  8001", "as many cycles"},
        {"  cycles  8000\n", "  cycles  8000\nstage more\nreverse velocities\ncycles 1\n", "one `reverse velocities`"});
-  PAGE("1-two-discs/taken-out", {"stage     row\n", "stage     row\nremove disc 3\n", "of which the second"},
+  PAGE("1-two-discs/taken-out", {"stage     row\n", "stage     row\nremove disc 3\n", "of which only the second"},
+       {"cycles    $n\nstage     gone\nremove    disc 2\nremove    disc 4\nremove    wall gate\n",
+        "remove    wall gate\ncycles    $n\nstage     gone\nremove    disc 2\nremove    disc 4\n",
+        "of which only the second"},
        {"stage     gone\n", "stage more\ncycles 1\nstage     gone\n", "two stages"},
        {"step      $h", "step      0.1 of stable", "given as a time"});
   PAGE("8-published/mfix-dem-03",

@@ -87,6 +87,7 @@ static void the_lightest_particles(void) {
       {0, 1, 0, false, false, 5, 2}, {0, 0, 0, true, false, 2, 0},  {1, 0, 0, false, false, 4, 5},
       {1, 1, 1, false, false, 1, 3}, {1, 1, 1, false, true, 3, 2},  {1, 1, 0, false, false, 1, 4},
       {2, 0, 0, false, false, 1, 0}, {2, 0, 0, false, true, 0, 0},  {2, 1, 1, false, false, 3, 2},
+      {0, 1, 1, true, false, 0, 0}, /* no wall is of material b */
   };
   for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
     const size_t r = k / 2;
@@ -95,7 +96,9 @@ static void the_lightest_particles(void) {
     struct nb_error error = {0};
     int lightest[2];
     words_add(&page,
-              "units none\nmaterial a density 1 kn 1\nmaterial b density 1 kn 1\n%sstep 0.01\nstage s\n%scycles 1\n",
+              "units none\nmaterial a density 1 kn 1\nmaterial b density 1 kn 1\nwall w -99 -20 to 99 -20 a\n%sstep "
+              "0.01\nstage s\n"
+              "%scycles 1\n",
               pages[rows[r].page], rows[r].remove ? "remove disc 1\n" : "");
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = k % 2});
