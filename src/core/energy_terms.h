@@ -15,8 +15,8 @@ enum nb_term {
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* part of NB_TERM_SHEAR that is done against laws without stored energy */
   NB_TERM_CHANGED,    /* energy that stages put in: velocities zeroed or reversed, loaded springs or laws changed */
-  NB_TERM_REMOVED, /* energy of particles that are removed or join a boundary, and of their springs and those of removed walls */
-  NB_TERM_IMPOSED, /* work done by the affine motion and by a stress on a boundary */
+  NB_TERM_REMOVED,    /* energy of removed particles, of springs at removed walls, of particles that join a boundary */
+  NB_TERM_IMPOSED,    /* work done by the affine motion and by a stress on a boundary */
   NB_TERMS
 };
 
