@@ -331,8 +331,7 @@ void nb_wall_remove(const struct nb_scene_reading *reading, struct nb_reader *re
   const int wall = nb_wall_of(scene, reader, name);
   if (reader->bad || is_removed(scene, reader, wall))
     return;
-  const struct nb_wall_motion removed = {
-      .wall = wall, .given = NB_GIVEN_VELOCITY | NB_GIVEN_SPIN, .removed = true, .line = (int)reader->line};
+  const struct nb_wall_motion removed = {.wall = wall, .removed = true, .line = (int)reader->line};
   for (size_t i = 0; i < stage->motion_count; i++) {
     struct nb_wall_motion *const before = &stage->motions[i];
     if (before->wall != wall)

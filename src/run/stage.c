@@ -112,7 +112,25 @@ static void finish_wall_ramps(struct nb_model *model) {
   }
 }
 
+/* Stops the walls of a box that followed a strain rate until this stage moves or removes one of them. The walls that
+ * the stage moves are left to it. */
+static void end_box_strain(struct nb_model *model, const struct nb_stage *stage) {
+  const struct nb_scene *scene = model->scene;
+  const size_t s = (size_t)(stage - scene->stages);
+  if (s == 0 || !nb_box_strained_in(scene, s - 1) || nb_box_strained_in(scene, s))
+    return;
+  const int first = nb_box_first_wall(scene);
+  for (int w = first; w < first + NB_BOX_SIDES; w++) {
+    bool moved = false;
+    for (size_t k = 0; k < stage->motion_count; k++)
+      moved = moved || stage->motions[k].wall == w;
+    if (!moved)
+      model->walls.velocity[w] = vec(0, 0);
+  }
+}
+
 static void begin_wall_motions(struct nb_model *model, const struct nb_stage *stage) {
+  end_box_strain(model, stage);
   model->changes->ramping_walls = false;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
