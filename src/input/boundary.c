@@ -343,7 +343,7 @@ NB_STATEMENTS(boundary) = {
    "Removes the boundary from this stage on: its particles are free and keep their velocities.",
    "stage     loose\n  boundary none\n  cycles  10"},
   {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
-   "Moves the four walls of the box with this strain rate about the centre of the box, from this stage on, until a stage moves one of the walls by `wall` or `walls`, or removes one; the other walls then stop. Opposite walls move at the same speed in opposite directions. The rate refers to the present width and height: after the time t the width is multiplied by exp(EXX t). The lengths of the walls change with the box, so that its corners stay closed.",
+   "Moves the four walls of the box with this strain rate about the centre of the box, from this stage on. It ends when a stage moves one of the walls by `wall` or `walls`, or removes one; the other walls then stop. Opposite walls move at the same speed in opposite directions. The rate refers to the present width and height: after the time t the width is multiplied by exp(EXX t). The lengths of the walls change with the box, so that its corners stay closed.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
   {"affine strain", NB_IN_STAGE, affine_fields, NULL, 0, false, apply_affine,
    "Imposes an affine motion of this strain rate on all free particles inside the boundary, from this stage on. The centre of the motion is the centre of the boundary; without a boundary, the origin. Forces and damping change the velocities of the particles relative to the imposed motion [R89 4.41, 4.42].",
