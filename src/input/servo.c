@@ -296,10 +296,33 @@ static void warn_of_inherited(struct nb_scene *scene, size_t s) {
             scene->stages[s].name, word, scene->stages[from].name, word, rate, rate, scene->stages[s].name);
 }
 
+/* Reports a servo through a boundary on which a stress acts in stage s: its particles move freely, so the strain rate
+ * that the servo adds would move nothing. */
+static void check_held(struct nb_scene_reading *reading, size_t s) {
+  const struct nb_scene *const scene = reading->scene;
+  const struct nb_servo *const servo = &scene->stages[s].servo;
+  int released = 0; /* the line of the stress; 0: the particles are held */
+  for (size_t k = 0; k <= s; k++) {
+    const struct nb_stage *const stage = &scene->stages[k];
+    released = stage->boundary.line && stage->boundary.control == NB_CONTROL_STRESS ? stage->boundary.line
+               : stage->boundary.line || stage->circle.line                         ? 0
+                                                                                    : released;
+  }
+  if (servo->line && !servo->cell && !servo->box && released)
+    nb_line_mistake(
+        &reading->reader, (size_t)servo->line,
+        scene->stages[s].boundary.line ? "a stage has either a stress on the boundary or a servo"
+                                       : "add `boundary fixed` to this stage",
+        "expected a boundary that follows a strain rate, because the servo adds one; since line %d a stress "
+        "acts on the boundary, and its particles move freely",
+        released);
+}
+
 void nb_servo_check(struct nb_scene_reading *reading) {
   struct nb_scene *const scene = reading->scene;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *const stage = &scene->stages[s];
+    check_held(reading, s);
     warn_of_inherited(scene, s);
     warn_of_ended(scene, s);
     for (size_t k = 0; k < stage->condition_count; k++)
