@@ -153,9 +153,9 @@ static void every_mistake(void) {
   };
   static const struct mistake of_cells[] = {
       {"\ncentre", " 0x0p+0\ncentre", "expected the end of the line, found `0x0p+0`"},
-      {"\ncell ", "\nperiodic cell 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncell ",
+      {"\ncell ", "\ncell 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncell ",
        "expected a cell with an area above 0"},
-      {"\ncell ", "\nperiodic cell 0x1p+0 0x1p+1 0x1p+1 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncell ",
+      {"\ncell ", "\ncell 0x1p+0 0x1p+1 0x1p+1 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncell ",
        "expected a cell with an area above 0"},
       {"\ncell ", "\ncell x ", "a.state:13:6: expected a number, found `x`"},
   };
