@@ -78,7 +78,7 @@ typed() {
     printf '```expect\n%s\n```\n' "$marked"
     ;;
   expect-cell)
-    scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" 'record cell.xy cell.yy' "$stages"
+    scene "$materials" 'periodic cell 0 m 0 m to 1 m 1 m' "$particles" "$names" 'record cell.xy cell.yy' "$stages"
     printf '```expect\n%s\n```\n' "$marked"
     ;;
   test) printf '```contact-test\nmaterial rock kn 1 MN/m ks 1 MN/m friction 0.3\n%s\nsegment back normal to 1 N in 10 steps\n```\n' "$marked" ;;

@@ -88,9 +88,9 @@ walls | base | walls vertices | free discs | | box -9.975 mm -9.975 mm to $E $E 
 walls-ramp | walls | walls vertices changes | free discs | | box -9.975 mm -9.975 mm to $E $E m | ramp walls inward 1 um/s | | `ramp walls`
 box | walls | walls vertices box | free discs | | box -9.975 mm -9.975 mm to $E $E m | box strain -1e-9 per cycle -1e-9 per cycle | | `box strain`
 box-servo | walls | walls vertices box servo measures | free discs | | box -9.975 mm -9.975 mm to $E $E m | servo xx 1 MPa yy 1 MPa on box through box at most 1e-9 per cycle | | servo through the box, every 10 cycles
-cell | base | cell | cell discs | | cell $C $C to $D $D | | | periodic cell
-cell-strain | cell | cell affine | cell discs | | cell $C $C to $D $D | cell strain -1e-9 per cycle -1e-9 per cycle | | `cell strain`
-cell-servo | cell | cell affine servo measures | cell discs | | cell $C $C to $D $D | servo mean 1 MPa on cell through cell at most 1e-9 per cycle | | servo through the cell, every 10 cycles
+cell | base | cell | cell discs | | periodic cell $C $C to $D $D | | | periodic cell
+cell-strain | cell | cell affine | cell discs | | periodic cell $C $C to $D $D | cell strain -1e-9 per cycle -1e-9 per cycle | | `cell strain`
+cell-servo | cell | cell affine servo measures | cell discs | | periodic cell $C $C to $D $D | servo mean 1 MPa on cell through cell at most 1e-9 per cycle | | servo through the cell, every 10 cycles
 affine | base | affine | frame discs | | | affine strain -1e-9 per cycle -1e-9 per cycle | | `affine strain`
 boundary-fixed | base | boundary | frame discs | | boundary circle $M $M radius $R | boundary fixed | | `boundary fixed`
 boundary-strain | boundary-fixed | boundary affine | frame discs | | boundary circle $M $M radius $R | boundary strain -1e-9 per cycle -1e-9 per cycle | | `boundary strain`
@@ -132,7 +132,7 @@ later-ramp | base | | frame discs still | | | | stage later; ramp material m kn 
 later-ratio | base | | frame discs still | | | | stage later; damping ratio 0.01; cycles 1 | `damping ratio`
 later-rotation | rotation-off | friction linear | frame discs | ks 10 MN/m friction 0.5 | shear linear | rotation off | stage later; rotation on; cycles 1 | `rotation on`
 later-box | walls | walls vertices | free discs | | box -9.975 mm -9.975 mm to $E $E m | | stage later; box strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `box strain`
-later-cell | cell | cell | cell discs | | cell $C $C to $D $D | | stage later; cell strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `cell strain`
+later-cell | cell | cell | cell discs | | periodic cell $C $C to $D $D | | stage later; cell strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `cell strain`
 later-snapshot | base | | frame discs still | | | | stage later; snapshot; cycles 1 | `snapshot`
 PAGES
 }
