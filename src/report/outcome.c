@@ -170,9 +170,11 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
     const char *const name = quantity->kind->name, *const column = scene->columns[c].name;
     const bool kept = strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || strcmp(name, "angle") == 0;
     const bool of_box = quantity->kind->monitors == NB_OF_BOX;
-    const struct removal it = of_box                  ? removal_of_walls(scene, box, NB_BOX_SIDES)
-                              : quantity->monitor < 0 ? (struct removal){.stage = -1}
-                                                      : removal_of_monitor(scene, &scene->monitors[quantity->monitor]);
+    struct removal it = {.stage = -1};
+    if (of_box)
+      it = removal_of_walls(scene, box, NB_BOX_SIDES);
+    else if (quantity->monitor >= 0)
+      it = removal_of_monitor(scene, &scene->monitors[quantity->monitor]);
     if (it.stage < 0 || kept || is_expected_0(&run->expectations, c))
       continue;
     (of_box ? warn_of_box : warn_of_0)(&outcome->warnings, scene, column, it);
