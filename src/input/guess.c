@@ -223,6 +223,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"gravity_angle gravity_deg gravity_rad gravity_degrees gravity_down gravity_inclined", "gravity", "gravity has its components in x and y: on a slope of 30 degrees, along x, write `gravity (9.81 m/s2*sin(30 deg)) (-9.81 m/s2*cos(30 deg))`"},
     {"gravity_off gravity_none", "gravity", "without gravity write `gravity 0 m/s2 0 m/s2`, or no such line"},
     {"boundary_servo", "servo", "a servo of the boundary is for example `servo isotropic 100 kPa on boundary through boundary at most 1e-6 per cycle`"},
+    {"stage_start scene_start contact_test_start", "start", "a page has one `start`, its first statement; only `units`, `let` and `sweep` may precede it"},
     {"remove_all", "remove", "particles are removed by their numbers: `remove discs 1 to 20`"},
     {"walls_all", "walls", "`walls stop` alone stops all walls, those outside the box too"},
     {"quantity_position quantity_positions quantity_trajectory quantity_trajectories", "snapshot, monitor", "a stage with the line `snapshot` saves all particles at its end; the path of one particle is `monitor P disc 1`, then `record P.x P.y`"},

@@ -86,12 +86,12 @@ static bool refuse_number(struct nb_reader *reader) {
   if (percent)
     both.length = number[1].column + number[1].length - number->column;
   fraction_hint(hint, reader);
-  nb_append(hint, sizeof hint, "; a time has a unit: `step 10 us`");
+  nb_append(hint, sizeof hint,
+            reader->unitless ? "; a time is a number: `step 1e-05`" : "; a time has a unit: `step 10 us`");
   if (statement)
     nb_append(hint, sizeof hint, "; `%s` begins a line of its own", next);
-  return !nb_token_mistake(reader, &both, hint,
-                           "expected a time and its unit, or a fraction `F of stable`, found `%s%s`", number->text,
-                           percent ? " %" : "");
+  return !nb_token_mistake(reader, &both, hint, "expected a time%s, or a fraction `F of stable`, found `%s%s`",
+                           reader->unitless ? "" : " and its unit", number->text, percent ? " %" : "");
 }
 
 /* Takes the words after the number of `step F of NAME`. */

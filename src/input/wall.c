@@ -41,17 +41,22 @@ static const struct nb_argument wall_motion_fields[] = {
 
 /* The hint for an unknown name of a wall: the walls that the scene has. */
 static const char *walls_hint(char hint[NB_HINT_SIZE], const struct nb_scene *scene, const struct nb_reader *reader) {
-  if (nb_box_first_wall(scene) >= 0)
-    return "the walls of a box are `south` (bottom), `east` (right), `north` (top) and `west` (left); `box strain` or "
-           "`servo` moves all";
-  if (reader->starts)
+  static const char *const sides[] = {" (bottom)", " (right)", " (top)", " (left)"};
+  const int first = nb_box_first_wall(scene);
+  if (reader->starts && first < 0)
     return "a page that starts from another has the walls of that page only";
   const size_t shown = scene->wall_count < 8 ? scene->wall_count : 8;
   char list[NB_HINT_SIZE / 2] = "";
-  for (size_t k = 0; k < shown; k++)
+  for (size_t k = 0; k < shown; k++) {
+    const int side = (int)k - first;
     nb_append_item(list, sizeof list, scene->walls[k].name, false);
-  snprintf(hint, NB_HINT_SIZE, "%s%s%s%sdefine it above with `wall NAME …` or `box …`",
-           shown ? "the scene has the walls " : "", list, shown < scene->wall_count ? ", …" : "", shown ? "; " : "");
+    nb_append(list, sizeof list, "%s", first >= 0 && side >= 0 && side < NB_BOX_SIDES ? sides[side] : "");
+  }
+  snprintf(hint, NB_HINT_SIZE, "%s%s%s%s", shown ? "the scene has the walls " : "", list,
+           shown < scene->wall_count ? ", …" : "",
+           first >= 0 ? ""
+           : shown    ? "; define it above with `wall NAME …` or `box …`"
+                      : "define it above with `wall NAME …` or `box …`");
   return hint;
 }
 
@@ -339,8 +344,7 @@ void nb_wall_remove(const struct nb_scene_reading *reading, struct nb_reader *re
     if (before->given & NB_GIVEN_WALLS)
       *before = removed;
     else
-      nb_token_mistake(reader, &reader->tokens[0],
-                       "a stage either moves a wall or removes it: keep one of the two lines",
+      nb_token_mistake(reader, &reader->tokens[0], "a removed wall does not move: keep one of the two lines",
                        "wall `%s` is moved by this stage, on line %d", scene->walls[wall].name, before->line);
     return;
   }
