@@ -782,7 +782,7 @@ out '  c2, 1 to 10 cycles: the condition on line 32 decides'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
 grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
 ! grep 'goes on' out >>why
-sed '/^  boundary fixed/d; /^  affine none/d' "$pages/drives.md" >inherited.md
+sed '/^stage b/,/^stage c$/{ /^  boundary fixed/d; /^  affine none/d; }' "$pages/drives.md" >inherited.md
 run 0 explain inherited.md
 out '    goes on from stage `a`, line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
 out '    goes on from stage `a`, line 16: affine strain 1e-2 3e-2 accumulated'
