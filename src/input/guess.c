@@ -60,7 +60,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
  * plural. */
 enum spelling { EXACT, LOOSE, SINGULAR };
 
-static bool is_separator(char c) { return c && strchr("-_. ", c); }
+static bool is_separator(char c) { return c == '-' || c == '_' || c == '.' || c == ' '; }
 
 /* True if b is the letter a of a word in a table. A small letter may be typed as a capital, but not if it stands alone:
  * `E` is a modulus, `e` a void ratio. */
@@ -74,17 +74,23 @@ bool nb_same_spelling(const char *a, const char *b) {
   return *a == *b;
 }
 
-/* True if `word` is one of the words in the list, which have blanks between them. */
-static bool has_word(const char *list, const char *word, bool loose) {
-  for (const char *at = list; *at; at += strcspn(at, " "), at += strspn(at, " ")) {
-    const size_t length = strcspn(at, " ");
+/* True if the letter at `k` of a word in a list stands alone between separators. */
+static bool is_alone(const char *at, size_t k) {
+  return (k == 0 || is_separator(at[k - 1])) && (!at[k + 1] || is_separator(at[k + 1]));
+}
+
+/* True if `word` is one of the words in the list, which have single blanks between them. A page can need thousands of
+ * these searches, so only words of the same length are compared. */
+static bool has_word(const char *list, const char *word, size_t length, bool loose) {
+  for (const char *at = list, *end; at; at = end ? end + 1 : NULL) {
+    end = strchr(at, ' ');
+    if ((end ? (size_t)(end - at) : strlen(at)) != length)
+      continue;
     size_t k = 0;
-    while (k < length && word[k] &&
-           (loose ? same_letter(at[k], word[k],
-                                (k == 0 || is_separator(at[k - 1])) && (k + 1 == length || is_separator(at[k + 1])))
-                  : at[k] == word[k] || (at[k] == '_' && (word[k] == '-' || word[k] == ' '))))
+    while (k < length && (loose ? same_letter(at[k], word[k], is_alone(at, k))
+                                : at[k] == word[k] || (at[k] == '_' && (word[k] == '-' || word[k] == ' '))))
       k++;
-    if (k == length && !word[k])
+    if (k == length)
       return true;
   }
   return false;
@@ -373,14 +379,18 @@ const struct nb_synonym *nb_synonym(const char *word) {
   char plain[NB_NAME_SIZE];
   const size_t length = (size_t)snprintf(plain, sizeof plain, "%.*s", (int)strcspn(word, "("), word); /* `O.run(9)` */
   if (length == 0 || length >= sizeof plain)
-    return NULL; /* no synonym is so long */
-  for (enum spelling spelling = EXACT; spelling <= SINGULAR; spelling++) {
+    return NULL;      /* no synonym is so long */
+  bool loose = false; /* a loose spelling is in the table; if not, no exact one is */
+  for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms && !loose; k++)
+    loose = has_word(synonyms[k].words, plain, length, true);
+  for (enum spelling spelling = loose ? EXACT : SINGULAR; spelling <= SINGULAR; spelling++) {
     const char *const last = strrchr(plain, '_'); /* `expect_rises` has no other meaning than `rises` */
     if (spelling == SINGULAR && (length < 4 || plain[length - 1] != 's' || (last && nb_synonym(last + 1))))
       break;
-    plain[length - (spelling == SINGULAR)] = '\0';
+    const size_t n = length - (spelling == SINGULAR);
+    plain[n] = '\0';
     for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms; k++)
-      if (has_word(synonyms[k].words, plain, spelling != EXACT))
+      if (has_word(synonyms[k].words, plain, n, spelling != EXACT))
         return &synonyms[k];
   }
   return NULL;
