@@ -131,8 +131,7 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
 
 static enum nb_status check_crossing(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
   double displacement;
-  if (nb_wall_removed(&model->walls, w) || !may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) ||
-      !crossed(model, i, w, &displacement))
+  if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &displacement))
     return NB_OK; /* fixed particles may pass through walls */
   return crossing_error(model, i, w, displacement, error);
 }
@@ -143,7 +142,9 @@ enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct n
   if (all)
     for (size_t k = 0; k < model->particles.count && !status; k++)
       for (size_t w = 0; w < model->walls.count && !status; w++)
-        status = check_crossing(model, (size_t)model->particles.slot[k], w, error);
+        status = nb_wall_removed(&model->walls, w) /* no listed pair has a removed wall */
+                     ? NB_OK
+                     : check_crossing(model, (size_t)model->particles.slot[k], w, error);
   else
     for (size_t c = model->contacts.wall_from; c < contacts->count && !status; c++)
       status = check_crossing(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);

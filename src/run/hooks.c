@@ -41,12 +41,12 @@ static enum nb_status move_affinely(struct nb_model *model, struct nb_error *err
 }
 
 static enum nb_status make_changes(struct nb_model *model, struct nb_error *error) {
-  const bool changes = nb_stage_changes(model);
-  if (changes)
+  const bool contacts = model->balance && nb_stage_changes_contacts(model);
+  if (contacts)
     nb_balance_change(model, true);
   if (nb_stage_change(model, error))
     return error->status;
-  if (changes)
+  if (contacts)
     nb_balance_change(model, false);
   return NB_OK;
 }

@@ -20,6 +20,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
 bool nb_stage_ramps_walls(const struct nb_model *model); /* true: the stage ramps the velocity of a wall */
 /* True if properties, laws or gravity change in a later cycle of the stage. */
 bool nb_stage_changes(const struct nb_model *model);
+bool nb_stage_changes_contacts(const struct nb_model *model); /* properties or laws, not only the gravity */
 /* Sets the velocities of the walls with ramps for the next step. Called before the motion. */
 void nb_stage_set_wall_velocities(struct nb_model *model);
 /* Sets properties, laws and gravity at the current time. Called after the motion. */

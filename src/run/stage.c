@@ -57,6 +57,10 @@ void nb_changes_store(struct nb_store *store, struct nb_model *model) {
 
 bool nb_stage_ramps_walls(const struct nb_model *model) { return model->changes->ramping_walls; }
 bool nb_stage_changes(const struct nb_model *model) { return model->changes->changing; }
+bool nb_stage_changes_contacts(const struct nb_model *model) {
+  return model->changes->changing &&
+         (model->stage->change_count > 0 || nb_laws_normal_changes(model) || nb_laws_shear_changes(model));
+}
 
 static struct nb_vec interpolated(struct nb_vec from, struct nb_vec to, double fraction) {
   return vec_add(from, vec_scale(fraction, vec_sub(to, from)));
@@ -228,8 +232,8 @@ static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_err
 
 /* ---- the stage ---- */
 
-/* Removes particles and walls, and resets measures. Stops the particles for `zero velocities`. Reverses the walls for `reverse
- * velocities`; begin_loading reverses the particles. */
+/* Removes particles and walls, and resets measures. Stops the particles for `zero velocities`. Reverses the walls for
+ * `reverse velocities`; begin_loading reverses the particles. */
 static enum nb_status begin_assembly(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   const int index = (int)(stage - model->scene->stages);
   if (nb_remove(model, stage, error))
@@ -316,22 +320,25 @@ static bool change_properties(struct nb_model *model, double fraction) {
     nb_properties_apply(model);
     nb_laws_change(model);
   }
-  return laws || !nb_plan_is_current(model);
+  return laws || ((model->stage_cycle == 1 || model->stage->change_count > 0) && !nb_plan_is_current(model));
 }
 
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_stage *stage = model->stage;
   const double fraction = (double)model->stage_cycle / (double)stage->cycles;
+  const bool begins = model->stage_cycle == 1;
   bool ramps = stage->gravity.ramp;
   if (stage->gravity.line)
     interpolate_gravity(model, stage->gravity.ramp ? fraction : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
-  if (!nb_affine_moves(model)) /* the last cycle with an affine motion may have been this one */
+  if (begins && !nb_affine_moves(model)) /* this cycle was the last one with an affine motion */
     model->all_affine = false;
-  if (change_properties(model, fraction) && plan_again(model, error))
+  const bool plan = change_properties(model, fraction);
+  if (plan && plan_again(model, error))
     return error->status;
-  nb_hooks_plan(model);
+  if (plan || begins || !model->changes->changing) /* not in each cycle of a ramp */
+    nb_hooks_plan(model);
   return NB_OK;
 }
