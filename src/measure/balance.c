@@ -263,7 +263,9 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const double time = kick.first_half + kick.second_half;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    if (!model->plan.dashpots && !material_pair->wall)
+    const struct nb_vec f =
+        nb_contact_force(contacts, c); /* centred dashpots still act in the step in which a contact ends */
+    if ((!model->plan.dashpots && !material_pair->wall) || (!nb_touches(contacts, c) && f.x == 0 && f.y == 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
@@ -274,7 +276,7 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
       const double arm_length = radius - contacts->kept[NB_OVERLAP][c];
       const struct nb_vec wall =
           wall_displacement(model, kick, j, vec_add(b->particles[i].position, vec_scale(arm_length, e)));
-      nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(nb_contact_force(contacts, c), wall));
+      nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(f, wall));
       displacement = vec_sub(displacement, wall);
     } else {
       const struct nb_vec imposed = vec_add(b->particles[j].imposed, copy_displacement(model, c));

@@ -71,6 +71,8 @@ static void history_of(double history[], const struct nb_model *model, size_t c)
  * the history. */
 static double normal_energy(const struct nb_model *model, size_t c, double overlap, double dn, double history[]) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
+  if (!(overlap > 0))
+    return 0;
   const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
   struct nb_normal n = material_pair->normal->normal(values, overlap, dn, history);
   n.overlap = overlap;
@@ -123,12 +125,13 @@ static double shear_energy(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    if (!material_pair->shear || !material_pair->shear->stored)
+    if (!nb_touches(contacts, c) || !material_pair->shear || !material_pair->shear->stored)
       continue;
     const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
     double history[NB_HISTORY], buffer[NB_HISTORY];
     history_of(history, model, c);
-    const struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, history);
+    struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, history);
+    n.overlap = contacts->kept[NB_OVERLAP][c];
     nb_sum_add(&sum, material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, buffer)));
   }
   return sum.sum + sum.rest;
