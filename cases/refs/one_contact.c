@@ -15,7 +15,7 @@
  *   B.x, y, angle, vx, vy, spin    for B that monitors a particle
  *   C.overlap, normal, shear       for C that monitors the contact
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
- *   energy.balance                h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
+ *   energy.balance                 h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
  *                                  a wall. [CS79 15] takes t at the end of the step. The
  *                                  work is computed with the forces at both ends. Between them
  *                                  t rotates with the angular velocity (v.t)/D. This gives the
