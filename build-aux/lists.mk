@@ -419,6 +419,8 @@ SHELL_TESTS = \
   tests/aborted.sh \
   tests/mistakes.sh \
   tests/program.sh \
+  tests/explain.sh \
+  tests/commands.sh \
   tests/confine.sh \
   tests/report.sh \
   tests/advise.sh \

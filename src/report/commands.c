@@ -376,13 +376,15 @@ enum nb_status nb_command_migrate(const struct nb_call *call) {
 
 enum nb_status nb_command_laws(const struct nb_call *call) {
   (void)call;
-  for (const struct nb_law *const *law = nb_laws(); *law; law++)
-    printf("%-7s %-21s %s  %s\n%29s parameters of the materials: %s\n%29s %d history variables%s; %s%s\n", (*law)->kind,
-           (*law)->name, (*law)->title, (*law)->source, "", (*law)->parameters[0] ? (*law)->parameters : "none", "",
-           (*law)->history + (*law)->piece * (*law)->pieces,
+  for (const struct nb_law *const *law = nb_laws(); *law; law++) {
+    const int doubles = (*law)->history + (*law)->piece * (*law)->pieces;
+    printf("%-7s %-21s %s  %s\n%29s parameters of the materials: %s\n%29s %d history variable%s%s; %s%s\n",
+           (*law)->kind, (*law)->name, (*law)->title, (*law)->source, "",
+           (*law)->parameters[0] ? (*law)->parameters : "none", "", doubles, doubles == 1 ? "" : "s",
            (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
            (*law)->stored ? "reports its stored energy" : "does not report stored energy",
            (*law)->non_conservative ? "; may create energy" : "");
+  }
   puts("A contact of two particles of one material has the kn and ks of this material. A contact of two materials\n"
        "with the stiffnesses a and b has 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives\n"
        "another stiffness.");

@@ -1,0 +1,636 @@
+#!/bin/sh
+# Tests the commands as a user sees them: whole messages, streams and exit statuses, also for two pages in both orders. TAP. $NINEBALL is
+# the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+cd "$work" || exit 1
+
+# page NAME LINES EXPECTATIONS STAGE: writes NAME.md, a disc that moves by 0.25 in one unit of time.
+page() {
+  printf '# Page %s\n```scene\nunits none\nlet v = 0.25\n%b\nmaterial m density 1 kn 1\ndisc 1 2 radius 0.5 m velocity $v 0\n' "$1" "$2" >"$1.md"
+  printf 'monitor D disc 1\nstep 0.5\nrecord time D.x\nstage go\n%b\n```\n' "${4:-cycles 2}" >>"$1.md"
+  test -z "$3" || printf '```expect\n%b\n```\n' "$3" >>"$1.md"
+}
+page good '' 'D.x expected 1.25 within 0 [1 + 0.25]'
+page bad '' 'D.x expected 1.5 within 0 [a guess]\ntime expected 1 within 0 [two steps]'
+page wrong 'allow nothing' ''
+page ends '' 'D.x above 0' 'until D.x above 9 at most 2 cycles'
+page empty '' ''
+page noted '' 'report D.x max'
+page skipped 'sweep s 4' 'D.x increases with s'
+page swept '' 'D.x increases with v\nD.x above 1.25'
+sed 's/^let v = .*/sweep v 0.25 0.5/' swept.md >both.md && mv both.md swept.md
+page late '' 'D.x above 0' 'cycles 2\nstage on\nuntil D.x above 9 at most 2 cycles'
+page drawn '' 'D.x expected 1.5 within 0 [a guess]'
+printf '\n```gnuplot\nplot $table using 2:3\n```\n' >>drawn.md
+printf '```contact-test\nmaterial m kn 1 MN/m\ncontact disc 1 m m with wall m\nsegment s normal to 1 N in 2 steps\n```\n' >touch.md
+head -c 20 /dev/zero | cat good.md - >zeros.md
+
+# Each block below is a command, its standard output behind two spaces, its standard error behind `!`, and its exit status. Times are not
+# compared.
+command -v gnuplot >/dev/null && drawn=true || drawn=false
+while IFS= read -r line; do
+  case $line in
+  '$ '*) command=${line#* } && : >wanted && eval "\"$nineball\" $command" >out 2>err </dev/null
+    ended=$? ;;
+  '= '*)
+    {
+      sed 's/, [0-9.e-]* s$/, T s/; s/verdict [0-9.e-]* s$/verdict T s/; s/takes [0-9.e-]* us/takes T us/; s/^nineball [0-9.]*$/nineball VERSION/; s/ *$//; s/^/  /' out
+      sed "s|^$nineball: |nineball: |; s/ *\$//; s/^/! /" err
+      echo "= $ended"
+    } >given
+    echo "$line" >>wanted
+    diff -u wanted given >"$why"
+    { test $? -eq 0 || { test "$command" = 'figure drawn.md --trust' && ! $drawn; }; }
+    result $? "nineball $command"
+    ;;
+  *) echo "$line" >>wanted ;;
+  esac
+done <<'END'
+$ check good.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+= 0
+$ check bad.md good.md
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+= 1
+$ check good.md bad.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+= 1
+$ check wrong.md bad.md
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ check bad.md wrong.md
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ check late.md wrong.md
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 3
+$ check wrong.md late.md
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ check empty.md
+  empty: Page empty
+! empty.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run empty.md` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+= 2
+$ check noted.md
+  noted: Page noted
+    note  report D.x max
+          computed 1.25
+    1 noted
+! noted.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+= 2
+$ check skipped.md
+  skipped: Page skipped
+    1 expectation was not checked:
+          line 15: D.x increases with s
+          `s` has one value only, so there is nothing to compare
+! skipped.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
+= 2
+$ check swept.md
+  swept: Page swept
+    FAIL  D.x above 1.25 (v=0.25)
+          swept.md:16: computed 1.25 and 1.25
+    pass  D.x above 1.25 (v=0.5)
+          computed 1.5 and 1.25
+    pass  D.x increases with v
+          computed 1.25 at v = 0.25, 1.5 at 0.5
+    2 of 3 checks passed
+= 1
+$ check swept.md --set v=0.5
+  swept: Page swept
+    pass  D.x above 1.25
+          computed 1.5 and 1.25
+    1 of 1 checks passed
+    1 expectation was not checked:
+          line 15: D.x increases with v
+          `v` has one value only, so there is nothing to compare
+= 0
+$ check good.md --tap
+  1..1
+  ok 1 - D.x expected 1.25 within 0 [1 + 0.25]
+  # line 15: computed 1.25, expected 1.25, error 0, tolerance 0
+= 0
+$ check bad.md --tap
+  1..2
+  not ok 1 - D.x expected 1.5 within 0 [a guess]
+  # line 15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+  ok 2 - time expected 1 within 0 [two steps]
+  # line 16: computed 1, expected 1, error 0, tolerance 0
+= 1
+$ check wrong.md --tap
+  1..1
+  not ok 1 - wrong.md has mistakes
+  #
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ check late.md --tap
+  1..1
+  not ok 1 - late.md did not run
+  # stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ check empty.md --tap
+  1..1
+  not ok 1 - empty.md did not run
+  # nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run empty.md` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+! empty.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run empty.md` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+= 2
+$ check noted.md --tap
+  1..2
+  ok 1 - report D.x max # SKIP noted, not checked
+  # line 15: computed 1.25
+  not ok 2 - noted.md was not checked
+  # nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+! noted.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+= 2
+$ check skipped.md --tap
+  1..2
+  ok 1 - D.x increases with s # SKIP `s` has one value only, so there is nothing to compare
+  # line 15: `s` has one value only, so there is nothing to compare
+  not ok 2 - skipped.md was not checked
+  # nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
+! skipped.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
+= 2
+$ check none.md
+! none.md: error: cannot be read: No such file or directory
+= 2
+$ run good.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in good.out
+= 0
+$ run bad.md good.md
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in bad.out
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in good.out
+= 1
+$ run good.md wrong.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in good.out
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ run wrong.md good.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in good.out
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ run late.md bad.md
+    4 cycles, 0 contact updates, T s
+  tables are in late.out, up to where the run was stopped
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in bad.out
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ run bad.md late.md
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in bad.out
+    4 cycles, 0 contact updates, T s
+  tables are in late.out, up to where the run was stopped
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ run drawn.md
+  drawn: Page drawn
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          drawn.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    0 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in drawn.out
+  to draw the figure: nineball figure drawn.md
+= 1
+$ run empty.md noted.md
+  empty: Page empty
+    2 cycles, 0 contact updates, T s
+  tables are in empty.out
+  noted: Page noted
+    note  report D.x max
+          computed 1.25
+    1 noted
+    2 cycles, 0 contact updates, T s
+  tables are in noted.out
+= 0
+$ run good.md ./good.md
+! nineball: good.md and ./good.md have the same name, so the same output folder: run them one at a time, with -o
+= 2
+$ run bad.md sub/good.md good.md
+! nineball: sub/good.md and good.md have the same name, so the same output folder: run them one at a time, with -o
+= 2
+$ run good.md bad.md -o x
+! nineball: -o FOLDER takes one page at a time; `nineball report` takes many
+= 2
+$ figure good.md wrong.md
+  good.md has no `gnuplot` block, so there is no figure
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ figure wrong.md good.md
+  good.md has no `gnuplot` block, so there is no figure
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ figure drawn.md --trust
+  look at drawn.out/drawn.svg
+  a check of this page failed: type `nineball check drawn.md`
+= 0
+$ figure late.md
+  late.md has no `gnuplot` block, so there is no figure
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ figure good.md bad.md -o x
+! nineball: -o FOLDER takes one page at a time; `nineball report` takes many
+= 2
+$ explain wrong.md
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ explain good.md none.md | tail -n 1
+    a cycle with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
+! none.md: error: cannot be read: No such file or directory
+= 0
+$ state good.md
+  the state at the end of stage `go` is in good-go.state
+  a page beside it takes the particles, without velocities and contact histories, with: packing good-go.state
+  a page that continues the run needs no such file: start good stage go
+= 0
+$ state swept.md
+! nineball: swept.md has several runs: choose one, with --set NAME=VALUE for each sweep
+= 2
+$ state swept.md --set v=0.5 -o made.state
+  the state at the end of stage `go` is in made.state
+  a page beside it takes the particles, without velocities and contact histories, with: packing made.state
+  a page that continues the run needs no such file: start swept stage go
+= 0
+$ state touch.md
+! nineball: touch.md is a contact test: expected a page with a scene
+= 2
+$ state late.md --stage go -o sub.state
+  the state at the end of stage `go` is in sub.state
+  a page beside it takes the particles, without velocities and contact histories, with: packing sub.state
+  a page that continues the run needs no such file: start late stage go
+= 0
+$ state good.md --stage g
+! nineball: good.md has no stage `g` of its own
+= 2
+$ state good.md bad.md
+! nineball: `nineball state` takes one page
+= 2
+$ state good.md -o bad.md
+! nineball: bad.md is not a state, so it is not overwritten: expected the name of a state or of a new file
+= 2
+$ state good.md -o none/x.state
+! nineball: good.md: cannot write none/x.state: No such file or directory
+= 2
+$ state late.md
+! nineball: late.md: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+= 3
+$ state wrong.md
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ migrate good.md bad.md
+! nineball: several pages can be rewritten only with --in-place: add it, or give one page
+= 2
+$ migrate zeros.md
+! zeros.md: error: expected a page, found a file that is not text
+= 2
+$ migrate none.md bad.md --in-place
+! none.md: error: cannot be read: No such file or directory
+= 2
+$ migrate good.md none.md --in-place
+! none.md: error: cannot be read: No such file or directory
+= 2
+$ frobnicate
+! nineball: there is no command `frobnicate`; see nineball --help
+= 2
+$ chek
+! nineball: there is no command `chek`; did you mean `check`?; see nineball --help
+= 2
+$ diff a b
+! nineball: there is no command `diff`; compare runs in one page: `sweep mu 0.2 0.6`, a line with `$mu`, and in a block `expect` for example `M.coordination last in STAGE  constant with mu within 1 %`; see nineball --help
+= 2
+$ compare
+! nineball: there is no command `compare`; compare runs in one page: `sweep mu 0.2 0.6`, a line with `$mu`, and in a block `expect` for example `M.coordination last in STAGE  constant with mu within 1 %`; see nineball --help
+= 2
+$ check
+! nineball: `nineball check` needs a page, such as cases/3-nine-discs/nine-discs.md; see nineball --help
+= 2
+$ state
+! nineball: `nineball state` needs a page, such as cases/3-nine-discs/nine-discs.md; see nineball --help
+= 2
+$ check good.md --threads 257
+! nineball: expected a number from 1 to 256 after --threads, found `257`; see nineball --help
+= 2
+$ check good.md --threads 256
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+= 0
+$ check good.md --threads 0
+! nineball: expected a number from 1 to 256 after --threads, found `0`; see nineball --help
+= 2
+$ check good.md --threads 1x
+! nineball: expected a number from 1 to 256 after --threads, found `1x`; see nineball --help
+= 2
+$ check good.md --threads ''
+! nineball: expected a number from 1 to 256 after --threads, found ``; see nineball --help
+= 2
+$ check good.md --checkpoint=0
+! nineball: expected a number of seconds above 0 after --checkpoint=, found `0`; see nineball --help
+= 2
+$ check good.md --checkpoint=x
+! nineball: expected a number of seconds above 0 after --checkpoint=, found `x`; see nineball --help
+= 2
+$ check good.md --checkpoint=inf
+! nineball: expected a number of seconds above 0 after --checkpoint=, found `inf`; see nineball --help
+= 2
+$ check good.md --set v
+! nineball: expected NAME=VALUE after --set, found `v`; see nineball --help
+= 2
+$ check good.md --stage x
+! nineball: `nineball check` does not use --stage, which is an option of: state
+= 2
+$ check good.md --rounding some
+! nineball: expected `--rounding all` or `parts`, found `some`
+= 2
+$ check good.md --rounding all --tap
+! nineball: expected `--rounding all` or `parts` without --tap, found `all`
+= 2
+$ check good.md --rounding all --resume
+! nineball: --rounding takes neither --checkpoint nor --resume
+= 2
+$ check good.md --rounding all --checkpoint
+! nineball: --rounding takes neither --checkpoint nor --resume
+= 2
+$ check good.md --rounding all
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    rounding up    1 of 1 checks passed
+    rounding down  1 of 1 checks passed
+    rounding zero  1 of 1 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.25 within 0 [1 + 0.25]
+= 0
+$ check bad.md good.md --rounding all
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    rounding up    1 of 2 checks passed
+    rounding down  1 of 2 checks passed
+    rounding zero  1 of 2 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.5 within 0 [a guess]
+      53  time expected 1 within 0 [two steps]
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    rounding up    1 of 1 checks passed
+    rounding down  1 of 1 checks passed
+    rounding zero  1 of 1 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.25 within 0 [1 + 0.25]
+= 1
+$ check wrong.md bad.md --rounding parts
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    rounding up    1 of 2 checks passed
+    rounding down  1 of 2 checks passed
+    rounding zero  1 of 2 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.5 within 0 [a guess]
+      53  time expected 1 within 0 [two steps]
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ check late.md wrong.md --rounding all
+! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 3
+$ check "$(printf 'ab.md')"
+! nineball: expected text, found the byte 0x1B (shown as `?`) in `a?b.md`
+= 2
+$ check good.md --states "$(printf '')"
+! nineball: expected text, found the byte 0x01 (shown as `?`) in `?`
+= 2
+$ -h frobnicate
+! nineball: `frobnicate` is not a word of pages; nineball --help scene lists all words, nineball laws the laws
+= 2
+$ --help lattise
+! nineball: `lattise` is not a word of pages; did you mean `lattice`?; nineball --help scene lists all words, nineball laws the laws
+= 2
+$ --help budget
+        --budget TIME       time for the search, s (default: 60) (advise)
+= 0
+$ --help soften
+        --set NAME=VALUE    replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear, step or damping; refine, a number that divides the step and multiplies the cycles; soften, a number that divides the stiffnesses; follow, a FILE with the points of a contact test
+= 0
+$ --help list
+  usage: nineball COMMAND …
+  
+    list                         list the references
+    a stage with the line `snapshot` writes its contacts at its end, each with its two particles and its forces, to the table STAGE-contacts.tsv, and the particles to STAGE-particles.tsv
+    snapshot {from STAGE}
+        Saves particles, walls and contacts at the end of the stage. In a contact test it saves the
+        traction over the contact and the pieces of the contact's history, so the shear law must be
+        one that stores pieces. Place: a stage; a segment of a contact test.
+= 0
+$ --version
+  nineball VERSION
+  Copyright (C) 2026 the nineball authors.
+  GPL-3.0-or-later: free software, without any warranty.
+= 0
+$ --help
+  nineball simulates discs and spheres in the plane by the distinct element method, and checks the results
+  
+  usage: nineball COMMAND …
+  
+    run PAGE… [-o FOLDER]        run pages, print the verdicts, write tables
+    check PAGE… [--tap]          run pages, print the verdicts
+    figure PAGE… [-o FOLDER]     run pages, draw their figures with gnuplot
+    report PAGE… [-o FOLDER]     run pages, draw figures, write a site with texts, results and figures
+    explain PAGE…                print the plan: passes and hooks, the lines that request them, the step, the cost
+    advise PAGE --within TOLERANCE find the cheapest step and laws whose error in a quantity is within a tolerance, by running the page; or --all [PAGE… or FOLDER…]
+    state PAGE [-o FILE]         run a page to the end of a stage, save its state in a file
+    migrate PAGE… [--in-place]   rewrite pages of version 0.3 in the words of this one
+    laws                         list the contact laws: equations, material parameters
+    list                         list the references
+  
+    -o, --output FOLDER     output folder (default: NAME.out; report: report; advise --all: trades); for `state` a FILE (NAME-STAGE.state) (run, figure, report, advise, state)
+        --set NAME=VALUE    replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear, step or damping; refine, a number that divides the step and multiplies the cycles; soften, a number that divides the stiffnesses; follow, a FILE with the points of a contact test
+        --stage NAME        the stage at whose end the state is taken (default: the last one) (state)
+        --states FOLDER     folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)
+        --all               search for advice on each page, also on those below a FOLDER (default: cases). --quantity and --within may be lists separated by `;`. Without --quantity, advice is about up to three quantities that the page expects, in the middle run of a sweep. Without --within, the tolerances are 10 %, 1 % and 0.1 %. The output folder (default: trades) gets a figure of each page and the table trades.tsv, to which a later call adds rows. Exit status 1: a search ended without advice (advise)
+        --quantity MEASURE  quantity whose error counts, as in an expect block (default: that of the first expectation of a single value) (advise)
+        --within TOLERANCE  largest error of the quantity: '1 %', or a number in its unit (advise)
+        --budget TIME       time for the search, s (default: 60) (advise)
+        --over NAME         take the error of the mean over realizations; a realization is a run with NAME = 1, 2, …, where NAME is a `let` or `sweep` of the page (advise)
+        --realizations N    number of realizations, 8 to 32 (default: 8) (advise)
+        --jobs N            runs of a sweep, or trials, in parallel (default: the number of processors, divided by --threads) (run, check, figure, report, advise)
+        --threads N         threads of one run (default 1); the results do not depend on it
+        --isa NAME          instruction set: plain, avx2 or avx512 (default: the widest); the results do not depend on it
+        --checkpoint SECONDS save the run in the folder of states at the ends of stages, every SECONDS (--checkpoint=30; default: 60), and when it is interrupted by SIGINT or SIGTERM; refused if there is a checkpoint that --resume could continue (run, check, figure, report)
+        --resume            continue from the last checkpoint, with the same results as a run without interruption; implies --checkpoint (run, check, figure, report)
+        --unrun PAGE        show this page too, without running it; may be given many times (report)
+        --trust             draw even where gnuplot cannot be confined, and copy linked texts and pictures from all folders: for pages that you trust (figure, report, advise)
+        --in-place          write the result into the pages (default: to standard output) (migrate)
+        --rounding WHICH    all: run under the four rounding modes, print how many bits of the expected quantities do not depend on them; parts: also for each part of the cycle alone (check)
+        --tap               verdicts as TAP, which `make check` reads (check)
+    -h, --help              this text; all words of pages: nineball --help scene; one word, also of another program: nineball --help disc; topics: expect, gnuplot, quantities, units, expressions
+        --version           version and licence
+  
+  exit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of memory; `figure` ends with 0 also if a check failed, and says so
+= 0
+$ laws | sed -n '/mindlin_deresiewicz  /,/history/p; /^normal  linear/,/history/p; /^shear   mindlin  /,/history/p; /^A contact/,$p'
+  normal  linear                linear spring, F_n = k_n overlap  [CS79 16, 18]
+                                parameters of the materials: kn
+                                0 history variables; reports its stored energy
+  shear   mindlin               elastic spheres without micro-slip (mindlin_deresiewicz has it): T += 8 G* a ds, |T| <= mu N + c  [R89 3.27]
+                                parameters of the materials: young, poisson, friction, cohesion
+                                1 history variable; does not report stored energy; may create energy
+  shear   mindlin_deresiewicz   exact law of elastic spheres with micro-slip, by Cattaneo and Mindlin, for any loading history  [R89 sec. 3.2-3.5]
+                                parameters of the materials: young, poisson, friction
+                                332 history variables or as many as `memory` asks for; reports its stored energy
+  A contact of two particles of one material has the kn and ks of this material. A contact of two materials
+  with the stiffnesses a and b has 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives
+  another stiffness.
+= 0
+$ list | head -n 1
+  references, for `reference NAME` in a page:
+= 0
+$ advise good.md
+! nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '1 %'`, and with --budget a number of seconds above 0; for many pages write `nineball advise --all`
+= 2
+$ advise good.md bad.md --within '1 %'
+! nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '1 %'`, and with --budget a number of seconds above 0; for many pages write `nineball advise --all`
+= 2
+$ advise good.md --within '1 %' --budget 0
+! nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '1 %'`, and with --budget a number of seconds above 0; for many pages write `nineball advise --all`
+= 2
+$ advise good.md --within '1 %' --realizations 9
+! nineball: expected --realizations from 8 to 32, together with --over NAME
+= 2
+$ advise good.md --within '1 %' --over v --realizations 7
+! nineball: expected --realizations from 8 to 32, together with --over NAME
+= 2
+$ advise good.md --within '1 %' --over v --realizations 33
+! nineball: expected --realizations from 8 to 32, together with --over NAME
+= 2
+$ report good.md sub/good.md
+! nineball: good.md and sub/good.md have the same name, so the same output folder: rename one of them
+= 2
+END
+echo "1..$n"

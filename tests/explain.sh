@@ -1,0 +1,327 @@
+#!/bin/sh
+# Tests whole outputs of `explain`, on pages with units. The numbers are computed by hand; comments say how. TAP.
+# $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+cd "$work" || exit 1
+
+# explained NAME: `explain NAME.md` must print standard input. Measured times, the errors of ACCURACY.md and the numbers of attempts
+# are not compared.
+explained() {
+  "$nineball" explain "$1.md" --isa plain --states none 2>said |
+    sed '/^cost/,$s/, [0-9.e-]* s$/, T s/; s/takes [0-9.e-]* us/takes T us/; s/verdict [0-9.e-]* s$/verdict T s/
+      s/ in [0-9]* attempts/ in N attempts/; s/ the [0-9]* errors/ the N errors/; s/below [0-9.e-]* %/below E %/g; s/-[0-9a-f]\{16\}\.state/-HASH.state/; s/ *$//' >out
+  test -s out && diff -u - out >"$why"
+  result $? "$2"
+}
+
+# A pair of two materials has 2ab/(a + b), here 2 * 3 * 6/9 and 2 * 2 * 1/3 MN/m. The skin is a tenth of the mean radius, 13/4 mm. The
+# small discs have m = 8 pi g: 2 (m/k)^(1/2) is shortest at the wall, and a collision, pi (m/(2k))^(1/2), between the two. Their dashpots
+# slow the rotation with w = (6 k_s/m)^(1/2): the stable step is (2/w) ((1 + d^2)^(1/2) - d), d = 0.2 * 3^(1/2). The rectangle around all
+# discs has the sides 26 and 44 mm. The servo may strain the box, so there is an affine motion.
+cat >springs.md <<'END'
+# Springs
+```scene
+units     si
+material  rock  density 2000 kg/m3  kn 3 MN/m  ks 2 MN/m  friction 0.5  cohesion 7 N
+material  lid   kn 6 MN/m  ks 1 MN/m
+normal    linear
+shear     linear
+box       0 mm 0 mm  to 40 mm 60 mm  lid
+disc      9 mm 8 mm  radius 2 mm  rock
+disc      13.2 mm 8 mm  radius 2 mm  rock
+disc      25 mm 44 mm  radius 6 mm  rock  velocity 1 m/s 0 m/s
+disc      30 mm 20 mm  radius 3 mm  rock
+damping   ratio 0.2
+damping   walls stiffness 3 us
+damping   mass 4 1/s
+gravity   0 m/s2 -9 m/s2
+region    A  all
+region    C  circle 25 mm 44 mm  radius 10 mm
+step      0.1 of stable
+record    time A.stress.xx C.stress.yy energy.balance
+stage     one
+  servo   yy 5 kPa on box  through box  at most 1 1/s
+  record  every 3 cycles
+  cycles  7
+stage     two
+  box     strain 0.5 1/s -0.25 1/s
+  material  rock friction 0.25
+  ramp    pair rock lid kn 5 MN/m
+  cycles  9
+```
+END
+explained springs 'a page with springs' <<'END'
+springs
+particles
+  4 particles, 4 walls
+neighbour list
+  1 pairs closer than 0.000325 m; rebuilt when a particle or wall has moved 0.0001625 m
+loading and damping, at the start of the run
+  line 16: gravity 0 m/s2 -9 m/s2
+  damping ratio 0.2, line 13
+  damping walls stiffness 3e-06 s, line 14
+  mass-proportional damping 4 1/s, line 15
+force passes at the start of the run, for each pair of materials
+  rock with rock: 1 pair in the neighbour list; k_n 3e+06, k_s 2e+06, tan(phi) 0.5, c 7
+    from stage `two` on (line 27): friction 0.25
+    disc-disc, overlap and both increments
+    normal linear                            line 6
+    shear linear                             line 7
+    dashpots, damping ratio                  line 13
+    resolve, normal and shear
+  rock with wall of lid: 0 pairs in the neighbour list; k_n 4e+06, k_s 1.33333e+06, tan(phi) 0, c 0
+    in stage `two` linearly until its end (line 28): kn 5e+06
+    disc-wall, overlap and normal increment
+    single contact at wall vertices
+    normal linear                            line 6
+    dashpots, damping ratio                  line 13
+    resolve, normal
+    (no shear linear: the pair has neither friction nor cohesion)
+hooks of the cycle, at the start of the run
+  before the motion  energy balance
+  after the motion   energy balance
+  before the forces  stability check
+  after the forces   energy balance
+memory
+  245 bytes a particle, 184 a contact (18 kept fields, 1 history variable of laws)
+  1 block of up to 128 contacts, loops for plain, 1 thread
+balances
+  energy, updated every cycle by one thread
+not used
+  periodic cell, boundary
+regions
+  line 17: region A all: 4 particles now; area 0.001144 m2, that of the smallest rectangle around all particles, without the gaps at walls
+  line 18: region C circle 25 mm 44 mm radius 10 mm: 1 particles now; area 0.000314159 m2
+step
+  6.51587e-06 s, line 19
+  single contact, 2 sqrt(m/k): 0.000158533 s; the step is 0.041101 of it, the stable step 0.41101 of it
+  stable: 6.51587e-05 s; the step is 0.1 of it; limited by rotation of particles 1 and 2
+  collision, the shortest possible: 0.000203327 s; the step is 0.0320463 of it
+  accuracy: with 16 to 32 steps per collision, half of the N errors in the cases were below E %, and 90 % of them below E % (docs/ACCURACY.md); for this page, use `nineball advise`
+stages
+  one, 7 cycles
+    line 22: servo yy 5 kPa on box through box at most 1 1/s
+    line 23: record every 3 cycles
+    line 24: cycles 7
+    gain of the servo: strain rate P = error/(2 B T), plus the time integral of P/(16 T); B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet
+  two, 9 cycles
+    line 26: box strain 0.5 1/s -0.25 1/s
+    line 27: material rock friction 0.25
+    line 28: ramp pair rock lid kn 5 MN/m
+    line 29: cycles 9
+    a row every cycle: the `record` of stage `one` (line 23) holds only there
+    line 26: xx +0.5 1/s: extension in x; yy -0.25 1/s: compression in y
+cost
+  16 cycles, 17 contact updates, T s
+  a cycle with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
+END
+
+# The effective modulus is 3/(2 (1 - 1/16)) GPa, the shear modulus G = 3/2.5 GPa, and G* = G/(2 (2 - 1/4)). The collision is that of
+# [R89 4.28]: 2.94328 alpha/v, alpha = (5 m v^2/(4 K))^(2/5), K = 4/3 E* R^(1/2), with the reduced mass m and radius R. Rayleigh: pi R
+# (density/G)^(1/2)/0.919402, with the root for nu = 0.25; the mean radius is 6.5 mm.
+cat >spheres.md <<'END'
+```scene
+material  glass  density 2000 kg/m3  young 3 GPa  poisson 0.25 friction 0.1
+normal    hertz
+shear     mindlin
+periodic cell 0 mm 0 mm to 60 mm 70 mm
+sphere    10 mm 10 mm  radius 5 mm  glass  velocity 2 m/s 0 m/s
+sphere    30 mm 10 mm  radius 8 mm  glass
+region    A  all
+step      0.1 of rayleigh
+record    time A.stress.xx
+stage     one
+  cell    strain 0 1/s 0 1/s c21 -0.5 1/s
+  cycles  7
+stage     two
+  cell    strain -2 1/s 0 1/s c12 0.25 1/s c21 0.25 1/s
+  ramp    material glass friction 0.2
+  cycles  8
+```
+END
+explained spheres 'a page with spheres in a cell' <<'END'
+spheres
+particles
+  2 particles, 0 walls
+neighbour list
+  0 pairs closer than 0.00065 m; rebuilt when a particle or wall has moved 0.000325 m
+force passes at the start of the run, for each pair of materials
+  glass with glass: 0 pairs in the neighbour list; E* 1.6e+09, G* 3.42857e+08, tan(phi) 0.1, c 0
+    in stage `two` linearly until its end (line 16): friction 0.2
+    disc-image, overlap and both increments  line 5
+    normal hertz                             line 3
+    shear mindlin                            line 4
+    large overlaps
+    resolve, normal and shear
+hooks of the cycle, at the start of the run
+  before the forces  stability check
+  after the forces   stability check of stiffening contacts
+  after the forces   count of deep overlaps
+memory
+  149 bytes a particle, 124 a contact (9 kept fields, 1 history variable of laws)
+  0 blocks of up to 128 contacts, loops for plain, 1 thread
+not used
+  dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), boundary, servo
+regions
+  line 8: region A all: 2 particles now; area 0.0042 m2, that of the cell
+step
+  2.20566e-06 s, line 9
+  stable: unknown, elastic spheres without overlap have no stiffness
+  collision, Hertz: 9.73208e-05 s, 44.1 steps; particle 1 and particle 2 at 2 m/s
+  rayleigh, the travel time of a surface wave round half a sphere: smallest 2.20566e-05 s, mean 2.86736e-05 s; the step is 0.1 and 0.0769231 of it
+  accuracy: with 32 to 64 steps per collision, half of the N errors in the cases were below E %, and 90 % of them below E % (docs/ACCURACY.md); for this page, use `nineball advise`
+stages
+  one, 7 cycles
+    line 12: cell strain 0 1/s 0 1/s c21 -0.5 1/s
+    line 13: cycles 7
+    line 12: strain rate xx 0, c12 0, c21 -0.5, yy 0 1/s: simple shear, the engineering shear rate is -0.5 1/s; xy of a stress becomes positive
+  two, 8 cycles
+    line 15: cell strain -2 1/s 0 1/s c12 0.25 1/s c21 0.25 1/s
+    line 16: ramp material glass friction 0.2
+    line 17: cycles 8
+    line 15: xx -2 1/s: compression in x
+    line 15: strain rate xx -2, c12 0.25, c21 0.25, yy 0 1/s: pure shear, the engineering shear rate is twice c12, 0.5 1/s; simple shear at this rate is `c12 0.5 1/s`
+cost
+  15 cycles, 0 contact updates, T s
+  a cycle with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
+spheres.md:4: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which a collision without damping depends: the exact law is `shear mindlin_deresiewicz`
+END
+
+# Two pages that start one from the other, without states. Friction and stiffnesses are those at the end of stage `two`, where the ramp has
+# ended; `soften` divides the stiffnesses by 3.
+cat >on.md <<'END'
+```scene
+start springs stage two with refine=2 soften=3
+record time
+stage three
+  wall    south velocity 0 m/s 2 m/s
+  until stage.time above 1 s at most 50 cycles
+```
+END
+cat >further.md <<'END'
+```scene
+start on stage three
+step 0.5 us
+record time
+stage four
+  cycles 3
+```
+END
+explained further 'a page whose state does not exist yet' <<'END'
+further
+start
+  at the end of stage `three` of `on` (line 2)
+    none/on-three-HASH.state: missing, will be computed
+  at the end of stage `two` of `springs` with refine=2, soften=3 (line 2)
+    none/springs-two-HASH.state: missing, will be computed
+  `nineball check further.md` computes that state; then `explain` shows contacts, step and seconds, too
+before stage `three` of `on` is run: laws and materials of its end, positions at time 0
+particles
+  4 particles, 4 walls
+neighbour list
+  1 pairs closer than 0.000325 m; rebuilt when a particle or wall has moved 0.0001625 m
+loading and damping, at the start of the run
+  line 2: start on stage three
+  damping ratio 0.2, line 2
+  damping walls stiffness 3e-06 s, line 2
+  mass-proportional damping 4 1/s, line 2
+force passes at the start of the run, for each pair of materials
+  rock with rock: 1 pair in the neighbour list; k_n 1e+06, k_s 666667, tan(phi) 0.25, c 7
+    disc-disc, overlap and both increments
+    normal linear                            line 2
+    shear linear                             line 2
+    dashpots, damping ratio                  line 2
+    resolve, normal and shear
+  rock with wall of lid: 0 pairs in the neighbour list; k_n 1.66667e+06, k_s 444444, tan(phi) 0, c 0
+    disc-wall, overlap and normal increment
+    single contact at wall vertices
+    normal linear                            line 2
+    dashpots, damping ratio                  line 2
+    resolve, normal
+    (no shear linear: the pair has neither friction nor cohesion)
+hooks of the cycle, at the start of the run
+  before the forces  stability check
+memory
+  149 bytes a particle, 80 a contact (5 kept fields, 1 history variable of laws)
+  1 block of up to 128 contacts, loops for plain, 1 thread
+not used
+  balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions
+step
+  5e-07 s
+stages
+  four, 3 cycles
+    line 3: step 0.5 us
+    line 4: record time
+    line 6: cycles 3
+    goes on from stage `three` of on, line 5: wall south velocity 0 m/s 2 m/s
+cost
+  3 cycles
+  the time of a cycle cannot be measured: the run begins with a state that does not exist yet
+END
+
+# Two materials with the moduli E_1, E_2: 1/E* is the sum of (1 - nu^2)/E, 1/G* that of 2 (2 - nu) (1 + nu)/E.
+cat >elastic.md <<'END'
+```contact-test
+material  m  young 70 GPa  poisson 0.25  friction 0.3
+material  n  young 7 GPa  poisson 0  friction 0.2
+contact   sphere 2 mm m with wall n
+normal    hertz
+shear     mindlin
+segment   press  normal to 2 N  in 10 steps
+END
+{ cat elastic.md && echo '```'; } >wall.md
+explained wall 'a contact test of a sphere and a wall' <<'END'
+wall
+contact test
+  sphere of m, radius 0.002 m, with a wall of n
+  R* 0.002 m, E* 6.4e+09 Pa, G* 1.57746e+09 Pa, friction 0.2
+laws
+  normal hertz: elastic spheres, N = (4/3) E* R*^(1/2) overlap^(3/2) [R89 3.13], line 5
+    0 history variables; reports its stored energy
+  shear mindlin: elastic spheres without micro-slip (mindlin_deresiewicz has it): T += 8 G* a ds, |T| <= mu N + c [R89 3.27], line 6
+    1 history variable; does not report stored energy; may create energy
+segments
+  press, 10 steps
+    line 7: segment press normal to 2 N in 10 steps
+cost
+  10 steps, 10 contact updates, T s
+  a step with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
+END
+sed 's/^contact .*/contact disc 2 mm m with disc 3 mm n/; s/young 70.*friction/kn 3 MN\/m ks 2 MN\/m cohesion 4 N friction/
+  s/young 7 .*friction/kn 6 MN\/m ks 1 MN\/m cohesion 5 N friction/; s/hertz/linear/; s/mindlin/linear/' wall.md >discs.md
+"$nineball" explain discs.md >out 2>"$why" && grep -qx '  disc of m, radius 0.002 m, with disc of n, radius 0.003 m' out &&
+  grep -qx '  k_n 4e+06, k_s 1.33333e+06, friction 0.2, cohesion 4' out
+result $? 'a contact test of two discs'
+
+# The arrays that a cycle uses, in bytes. Of a particle: 12 doubles and 5 integers; of a contact: a force of 3 doubles, 5 integers and a
+# double for each field beyond two. The columns are: lines of the scene, quantities, lines of the stage, line after the stage; bytes of a
+# particle and of a contact; number of fields; what else a page uses.
+lean='rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions'
+while IFS='|' read -r scene quantity stage end particle contact kept less; do
+  printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\ndisc 9 0 radius 1 m\n%b\nstep 0.1\n' "$scene" >bytes.md
+  printf 'record time %s\nstage a\n%b\ncycles 1\n%b\n```\n' "$quantity" "$stage" "$end" >>bytes.md
+  "$nineball" explain bytes.md >out 2>"$why"
+  grep -q "^  $(($particle)) bytes a particle.*, $(($contact)) a contact (\($kept\) kept fields, " out &&
+    grep -qxF "  $(echo "$lean" | sed "s/$less//; s/, \$//")" out
+  result $? "memory: $(echo "$scene$quantity$stage$end" | tr "\n" ";")"
+done <<'END'
+||||116|24+8+20|3|@
+pair m m friction 1 ks 1\nshear linear||||116+16|24+8+20+8|3|rotation.*shear forces, 
+damping ratio 0.1\ndamping centred||||116+32|24+16+20|4|dashpots, 
+damping mass 0.1||||116|24+8+20|3|mass-proportional damping, 
+||remove disc 1||116+1|24+8+20|3|@
+boundary circle 0 0 radius 10||||116+17+8|24+8+20|3|boundary, 
+boundary circle 0 0 radius 10||boundary stress 1 1||116+17+8+16|24+8+20|3|boundary, 
+|work.balance|||116+96|24+8+20|3|balances[^)]*), 
+|energy.balance|||116+96|24+88+20|13|balances[^)]*), 
+|step.fracc|||116+8|24+8+20|3|@
+||snapshot|stage b\ncycles 1\nsnapshot from a|116+24|24+72+20+8|11|@
+periodic cell -9 -9 to 19 19||||116+17|24+8+20+16|3|periodic cell, 
+||affine strain 1 1||116+17|24+8+20|3|@
+box -9 -9 to 19 19 m||servo xx 1 on box through box at most 1||116+17|24+24+20+4|5|servo, 
+region A all||||116|24+8+20|3|, regions
+END
+echo "1..$n"
