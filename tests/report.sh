@@ -214,6 +214,229 @@ run 1 report long.md -o long && test ! -e long/long/table.tsv && test ! -e long/
   grep -q 'Not kept here, because they are large: ' long/long/index.html && ! grep -q 'href="table.tsv"' long/long/index.html
 result $? 'report: a large table is not kept, and the page says how to make it'
 
+# ---- the whole site ----
+
+# site_page TITLE SWEEP EXPECTATIONS: prints a page with discs that move by v and by -1 in each direction.
+site_page() {
+  printf '# %s\n\n```scene\nunits none\nsweep v %s\nmaterial m density 1 kn 1\ndisc 1 2 radius 0.5 m velocity $v -1\nmonitor D disc 1\n' "$1" "$2"
+  printf 'step 0.5\nrecord time D.x D.y\nstage go\ncycles 2\n```\n\n```expect\n%b\n```\n' "$3"
+}
+mkdir -p whole/sub
+printf '# All & more\n' >whole/README.md
+site_page 'First' '1 4 64' 'D.x increases with v\nD.y expected 1 within 0 [2 - 1]\nreport D.y' >whole/a.md
+site_page 'Second' '1 4 31' 'D.x decreases with v\nD.y constant with v within 0\nD.x above D.x' >whole/sub/b.md
+site_page 'Third' '1' 'D.y above 0' >whole/sub/c.md
+site_page 'Fourth' '1' 'D.x above 0' | sed 's/^step .*/step -1/' >whole/sub/d.md
+site_page 'Fifth' '1' 'D.x above 0\nD.y increases with v' | sed 's/^cycles.*/until D.x above 9 at most 2 cycles/' >whole/sub/e.md
+"$nineball" report whole/README.md whole/a.md whole/sub/b.md whole/sub/d.md whole/sub/e.md --unrun whole/sub/c.md -o whole-site >out 2>/dev/null </dev/null
+echo "status $?" >>out
+# What pandoc makes of the blocks of a page is not compared, nor are times. Head and foot are compared of the index and of one page.
+for name in . a whole b c d e; do
+  case $name in . | a) parts='' ;; *) parts='1,4d; /<footer>/,$d' ;; esac
+  sed "/<pre class=\"expect.*<\/pre>/d; /<pre class=\"scene/,/<\/pre>/d; /<pre class=\"expect/,/<\/pre>/d; s/\(number\">\|updates, \)[0-9.e-]* s</\1T s</
+    s/nineball [0-9]*\.[0-9]*\.[0-9]*/nineball VERSION/; $parts" "whole-site/$name/index.html"
+done >>out
+# The picture of a trend has 140 by 50 units and margins of 5. A scale is logarithmic if the values span more than 1.5 decades: 4 is at a
+# third of 1 to 64, and 5 at log(2.5)/log(32.5) of 2 to 65; but 4 is at a tenth of 1 to 31, and 5 at a tenth of 2 to 32.
+diff -u - out >"$why" <<'END'
+a                               4 checks, 0 failed
+b                               5 checks, 4 failed
+d                               0 checks, 0 failed; did not run to its end
+e                               0 checks, 0 failed; did not run to its end
+look at whole-site/index.html
+status 3
+<!doctype html>
+<html lang="en"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file:; style-src 'self' file: 'unsafe-inline'; script-src 'self' file:">
+<title>nineball report</title>
+<link rel="stylesheet" href="report.css">
+<script defer src="report.js"></script>
+</head><body>
+<main>
+<p>4 pages were run: 9 checks, <span class="fail">4 failed</span>. Made by nineball VERSION. <a href="#pages-of-the-report">Search and list of all pages</a></p>
+<div class="failures"><h2>What failed</h2><table><tbody>
+<tr><td><a href="b/index.html">b</a></td><td>Second</td><td class="fail">4 of 5 checks failed</td><td class="number">T s</td></tr>
+<tr><td><a href="d/index.html">d</a></td><td>Fourth</td><td class="fail">did not run to its end<br><small>whole/sub/d.md:9:6: error: expected a time above 0, found `-1`
+    9 | step -1
+      |      ^~
+</small></td><td></td></tr>
+<tr><td><a href="e/index.html">e</a></td><td>Fifth</td><td class="fail">did not run to its end<br><small>stage `go` (line 11) did not end within 2 cycles: D.x is 2 and should be above 9</small></td><td class="number">T s</td></tr>
+</tbody></table></div>
+<h1 id="all--more">All &amp; more</h1>
+<h2 id="pages-of-the-report">All pages</h2>
+<p><label>Search names, titles and results: <input type="search"></label></p>
+<p id="none" hidden>No page has all of these words.</p>
+<table id="pages"><thead><tr><th>page</th><th>title</th><th>checks</th><th>time</th></tr></thead><tbody>
+<tr><th colspan="4">All &amp; more</th></tr>
+<tr><td><a href="whole/index.html">whole</a></td><td>All &amp; more</td><td class="none"></td><td></td></tr>
+<tr><td><a href="a/index.html">a</a></td><td>First</td><td class="pass">4 checks passed</td><td class="number">T s</td></tr>
+<tr><th colspan="4">sub</th></tr>
+<tr><td><a href="b/index.html">b</a></td><td>Second</td><td class="fail">4 of 5 checks failed</td><td class="number">T s</td></tr>
+<tr><td><a href="d/index.html">d</a></td><td>Fourth</td><td class="fail">did not run to its end<br><small>whole/sub/d.md:9:6: error: expected a time above 0, found `-1`
+    9 | step -1
+      |      ^~
+</small></td><td></td></tr>
+<tr><td><a href="e/index.html">e</a></td><td>Fifth</td><td class="fail">did not run to its end<br><small>stage `go` (line 11) did not end within 2 cycles: D.x is 2 and should be above 9</small></td><td class="number">T s</td></tr>
+<tr><td><a href="c/index.html">c</a></td><td>Third</td><td class="none">not run</td><td></td></tr>
+</tbody></table>
+</main></body></html>
+<!doctype html>
+<html lang="en"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file:; style-src 'self' file: 'unsafe-inline'; script-src 'self' file:">
+<title>First</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="prev" href="../whole/index.html">previous: whole</a>
+<a rel="next" href="../b/index.html">next: b</a>
+</nav>
+<main>
+<p class="pass">4 checks passed</p>
+<h1 id="first">First</h1>
+<details open><summary>Results: 4 checks, 0 failed, 3 noted, 0 skipped</summary>
+<table><thead><tr><th></th><th>expectation</th><th>computed</th><th>reference</th><th>error</th><th>tolerance</th></tr></thead><tbody>
+<tr><td class="pass">pass</td><td>D.y expected 1 within 0 [2 - 1] (v=1)</td><td class="number">1</td><td class="number">1</td><td class="number">0</td><td class="number">0</td></tr>
+<tr><td class="note">note</td><td>report D.y (v=1)</td><td colspan="4">computed 1</td></tr>
+<tr><td class="pass">pass</td><td>D.y expected 1 within 0 [2 - 1] (v=4)</td><td class="number">1</td><td class="number">1</td><td class="number">0</td><td class="number">0</td></tr>
+<tr><td class="note">note</td><td>report D.y (v=4)</td><td colspan="4">computed 1</td></tr>
+<tr><td class="pass">pass</td><td>D.y expected 1 within 0 [2 - 1] (v=64)</td><td class="number">1</td><td class="number">1</td><td class="number">0</td><td class="number">0</td></tr>
+<tr><td class="note">note</td><td>report D.y (v=64)</td><td colspan="4">computed 1</td></tr>
+<tr><td class="pass">pass</td><td>D.x increases with v</td><td colspan="4"><svg class="points" role="img" aria-label="computed 2 at v = 1, 5 at 4, 65 at 64" viewBox="0 0 140 50"><polyline fill="none" points="5.0,45.0 48.3,34.5 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/><circle cx="48.3" cy="34.5" r="2"/><circle cx="135.0" cy="5.0" r="2"/></svg><br>computed 2 at v = 1, 5 at 4, 65 at 64</td></tr>
+</tbody></table></details>
+<p>Cost: 6 cycles, 0 contact updates, T s</p>
+<p>Files: <a href="a.md">a.md</a>
+<a href="table.tsv">table.tsv</a>
+<a href="values.tsv">values.tsv</a>
+<a href="verdict.tsv">verdict.tsv</a>
+</p>
+</main>
+<footer><nav><a href="../index.html">contents</a>
+<a rel="prev" href="../whole/index.html">previous: whole</a>
+<a rel="next" href="../b/index.html">next: b</a>
+</nav>
+</footer></body></html>
+<title>All &amp; more</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="next" href="../a/index.html">next: a</a>
+</nav>
+<main>
+<p class="none"></p>
+<h1 id="all--more">All &amp; more</h1>
+<p>Files: <a href="whole.md">whole.md</a>
+</p>
+</main>
+<title>Second</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="prev" href="../a/index.html">previous: a</a>
+<a rel="next" href="../d/index.html">next: d</a>
+</nav>
+<main>
+<p class="fail">4 of 5 checks failed</p>
+<h1 id="second">Second</h1>
+<details open><summary>Results: 5 checks, 4 failed, 0 noted, 0 skipped</summary>
+<table><thead><tr><th></th><th>expectation</th><th>computed</th><th>reference</th><th>error</th><th>tolerance</th></tr></thead><tbody>
+<tr><td class="fail">FAIL</td><td>D.x above D.x (v=1)</td><td colspan="4">computed 2 and 2</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x above D.x (v=4)</td><td colspan="4">computed 5 and 5</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x above D.x (v=31)</td><td colspan="4">computed 32 and 32</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x decreases with v</td><td colspan="4"><svg class="points" role="img" aria-label="computed 2 at v = 1, 5 at 4, 32 at 31" viewBox="0 0 140 50"><polyline fill="none" points="5.0,45.0 18.0,41.0 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/><circle cx="18.0" cy="41.0" r="2"/><circle cx="135.0" cy="5.0" r="2"/></svg><br>computed 2 at v = 1, 5 at 4, 32 at 31</td></tr>
+<tr><td class="pass">pass</td><td>D.y constant with v within 0</td><td colspan="4"><svg class="points" role="img" aria-label="computed 1 at v = 1, 1 at 4, 1 at 31, largest difference 0, tolerance 0" viewBox="0 0 140 50"><polyline fill="none" points="5.0,25.0 18.0,25.0 135.0,25.0 "/><circle cx="5.0" cy="25.0" r="2"/><circle cx="18.0" cy="25.0" r="2"/><circle cx="135.0" cy="25.0" r="2"/></svg><br>computed 1 at v = 1, 1 at 4, 1 at 31, largest difference 0, tolerance 0</td></tr>
+</tbody></table></details>
+<p>Cost: 6 cycles, 0 contact updates, T s</p>
+<p>Files: <a href="b.md">b.md</a>
+<a href="table.tsv">table.tsv</a>
+<a href="values.tsv">values.tsv</a>
+<a href="verdict.tsv">verdict.tsv</a>
+</p>
+</main>
+<title>Third</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="prev" href="../e/index.html">previous: e</a>
+</nav>
+<main>
+<p class="none">not run</p>
+<p>The report was made without running this page. To run it, type <code>nineball check whole/sub/c.md</code>.</p>
+<h1 id="third">Third</h1>
+<p>Files: <a href="c.md">c.md</a>
+</p>
+</main>
+<title>Fourth</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="prev" href="../b/index.html">previous: b</a>
+<a rel="next" href="../e/index.html">next: e</a>
+</nav>
+<main>
+<p class="fail">did not run to its end</p>
+<pre class="fail">whole/sub/d.md:9:6: error: expected a time above 0, found `-1`
+    9 | step -1
+      |      ^~
+</pre>
+<h1 id="fourth">Fourth</h1>
+<p>Files: <a href="d.md">d.md</a>
+</p>
+</main>
+<title>Fifth</title>
+<link rel="stylesheet" href="../report.css">
+</head><body>
+<nav><a href="../index.html">contents</a>
+<a rel="prev" href="../d/index.html">previous: d</a>
+<a rel="next" href="../c/index.html">next: c</a>
+</nav>
+<main>
+<p class="fail">did not run to its end</p>
+<pre class="fail">stage `go` (line 11) did not end within 2 cycles: D.x is 2 and should be above 9</pre>
+<h1 id="fifth">Fifth</h1>
+<p>Cost: 2 cycles, 0 contact updates, T s</p>
+<p>Files: <a href="e.md">e.md</a>
+<a href="table.tsv">table.tsv</a>
+<a href="values.tsv">values.tsv</a>
+<a href="verdict.tsv">verdict.tsv</a>
+</p>
+</main>
+END
+result $? 'report: the whole index and the pages: passed, failed, invalid, aborted and not run, a trend with a linear and a logarithmic scale'
+# A list of more than 20 checks is folded if none of them failed.
+site_page 'Short' "$(seq -s ' ' 20)" 'D.y expected 1 within 0 [2 - 1]' >short.md
+site_page 'Long' "$(seq -s ' ' 21)" 'D.y expected 1 within 0 [2 - 1]' >long.md
+site_page 'Failed' "$(seq -s ' ' 21)" 'D.x below 22' >failed.md
+run 1 report short.md long.md failed.md -o lists
+grep -o '<details.*Results: [^,]*, [^,]*' lists/short/index.html lists/long/index.html lists/failed/index.html | diff -u - /dev/fd/3 >"$why" 3<<'END'
+lists/short/index.html:<details open><summary>Results: 20 checks, 0 failed
+lists/long/index.html:<details><summary>Results: 21 checks, 0 failed
+lists/failed/index.html:<details open><summary>Results: 21 checks, 1 failed
+END
+result $? 'report: a long list without failures is folded'
+# A table of 100000 bytes is kept, one of 100001 is not: a longer name of the page makes the first lines of its table longer.
+site_page 'Rows' 1 'cycle above 1' | sed 's/^record .*/record cycle/; s/^stage .*/stage s/; s/^cycles .*/cycles 13875/; /^sweep/d; s/\$v/1/' >k.md
+run 0 run k.md -o kept
+more=$((100000 - $(wc -c <kept/table.tsv)))
+kept=k$(printf '%0*d' $more 0)
+cp k.md "$kept.md" && cp k.md "${kept}0.md"
+run 0 report "$kept.md" "${kept}0.md" -o kept && test "$(wc -c <"kept/$kept/table.tsv")" -eq 100000 && test ! -e "kept/${kept}0/table.tsv" &&
+  grep -qx "<p>Not kept here, because they are large: table.tsv. They are written by <code>nineball run ${kept}0.md</code> and <code>nineball figure ${kept}0.md</code>.</p>" \
+    "kept/${kept}0/index.html"
+result $? 'report: the largest table that is kept'
+if command -v gnuplot >/dev/null; then
+  # A drawing of 300000 bytes is kept. Its size increases linearly with the number of points.
+  points() { sed '$a\\n```gnuplot\nset samples '"$2"'\nplot [0:9] sin(x) with points\n```' site/first.md >"$1.md"; }
+  for size in 2000 4000; do points "points$size" $size && run 0 figure "points$size.md" --trust -o points; done
+  one=$(wc -c <points/points2000.svg) two=$(wc -c <points/points4000.svg)
+  points under $(((297000 - one) * 2000 / (two - one) + 2000))
+  points over $(((303000 - one) * 2000 / (two - one) + 2000))
+  run 0 report under.md over.md --trust -o points && test -e points/under/under.svg && grep -q 'src="under.svg"' points/under/index.html &&
+    test ! -e points/over/over.svg && grep -q 'src="over.png"' points/over/index.html && grep -q 'because they are large: over.svg\.' points/over/index.html
+  result $? 'report: the largest drawing that is kept'
+fi
+
 if command -v gnuplot >/dev/null; then
   sed 's/^plot .*/plot $nothing/' "$pages/passes.md" >broken.md
   run 2 report broken.md -o some && said 'no datablock named $nothing' && said 'no figure' &&
