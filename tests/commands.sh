@@ -633,4 +633,160 @@ $ report good.md sub/good.md
 ! nineball: good.md and sub/good.md have the same name, so the same output folder: rename one of them
 = 2
 END
+
+# ---- tables, and the script of a figure ----
+
+cat >data.md <<'END'
+# It's data
+
+```scene
+units     si
+sweep     v  0.25 m/s 0.5 m/s
+material  m  density 1 kg/m3  kn 1 N/m
+disc      1 m 2 m  radius 0.5 m  m  velocity $v -1 m/s
+monitor   D  disc 1
+step      0.5 s
+record    time D.x D.y
+stage     go-on
+cycles    2
+snapshot
+stage     more
+record    every 2 cycles
+cycles    3
+```
+
+```expect
+D.x max in go-on  above 1.25 m
+D.x               expected 2 m within 0.5 m [a guess]
+D.y max           increases with v
+report D.x
+```
+
+```gnuplot
+plot $table_1 using 2:3
+```
+
+```gnuplot
+set title 'It'
+```
+END
+# written FILE...: prints files, without the style of figures, the values of hashes, and the tables of walls and contacts.
+written() {
+  for file in "$@"; do
+    echo "== $file"
+    sed "/^plots = /,/^diagram = /{/^plots = /!d;}; /^\$go_on_[wc]/,/^EOD/d
+      s/FNV-1a [0-9a-f]\{16\}$/FNV-1a HASH/; s/^# nineball [0-9.]*$/# nineball VERSION/; s,^plots = '/.*/',plots = '/'," "$file"
+  done
+}
+"$nineball" run data.md -o data >out 2>err </dev/null
+test $? -eq 1 && { PATH=$work/none "$nineball" figure data.md -o data >out 2>err </dev/null || test $? -eq 2; } &&
+  grep -qxF 'nineball: gnuplot cannot be run: not found (its package is gnuplot-nox)' err && test ! -s out &&
+  written data/table.tsv data/values.tsv data/verdict.tsv data/go-on-particles-1.tsv data/go-on-particles-2.tsv data/data.gp >given &&
+  diff -u - given >"$why" <<'END'
+== data/table.tsv
+# nineball VERSION
+# page data, FNV-1a HASH
+v/m/s	stage	time/s	D.x/m	D.y/m
+0.25	go-on	0	1	2
+0.25	go-on	0.5	1.125	1.5
+0.25	go-on	1	1.25	1
+0.25	more	2	1.5	0
+0.25	more	2.5	1.625	-0.5
+0.5	go-on	0	1	2
+0.5	go-on	0.5	1.25	1.5
+0.5	go-on	1	1.5	1
+0.5	more	2	2	0
+0.5	more	2.5	2.25	-0.5
+== data/values.tsv
+# nineball VERSION
+# page data, FNV-1a HASH
+v/m/s	run	D.x max in go-on/m	reference D.x max in go-on/m	D.x/m	reference D.x/m	D.y max/m	reference D.y max/m
+0.25	1	1.25	nan	1.625	2	0	nan
+0.5	2	1.5	nan	2.25	2	0	nan
+== data/verdict.tsv
+# nineball VERSION
+# page data, FNV-1a HASH
+verdict	line	expected	computed
+FAIL	20	D.x max in go-on above 1.25 m (v=0.25 m/s)	computed 1.25 m and 1.25 m
+pass	21	D.x expected 2 m within 0.5 m [a guess] (v=0.25 m/s)	computed 1.625 m, expected 2 m, error 0.375 m, tolerance 0.5 m
+note	23	report D.x (v=0.25 m/s)	computed 1.625 m
+pass	20	D.x max in go-on above 1.25 m (v=0.5 m/s)	computed 1.5 m and 1.25 m
+pass	21	D.x expected 2 m within 0.5 m [a guess] (v=0.5 m/s)	computed 2.25 m, expected 2 m, error 0.25 m, tolerance 0.5 m
+note	23	report D.x (v=0.5 m/s)	computed 2.25 m
+FAIL	22	D.y max increases with v	computed 0 m at v = 0.25 m/s, 0 m at 0.5 m/s
+== data/go-on-particles-1.tsv
+# nineball VERSION
+# page data, FNV-1a HASH
+# run v=0.25 m/s
+particle/-	x/m	y/m	radius/m	angle/rad	vx/m/s	vy/m/s	fx/N	fy/N	moment/N.m	spin/rad/s	contacts/-	fixed/-
+1	1.25	1	0.5	0	0.25	-1	0	0	0	0	0	0
+== data/go-on-particles-2.tsv
+# nineball VERSION
+# page data, FNV-1a HASH
+# run v=0.5 m/s
+particle/-	x/m	y/m	radius/m	angle/rad	vx/m/s	vy/m/s	fx/N	fy/N	moment/N.m	spin/rad/s	contacts/-	fixed/-
+1	1.5	1	0.5	0	0.5	-1	0	0	0	0	0	0
+== data/data.gp
+# It's data
+# nineball VERSION
+# page data, FNV-1a HASH
+plots = '/'
+runs = 2
+array run[runs]
+run[1] = 'v=0.25 m/s'
+run[2] = 'v=0.5 m/s'
+$values << EOD
+v/m/s	run	D.x max in go-on/m	reference D.x max in go-on/m	D.x/m	reference D.x/m	D.y max/m	reference D.y max/m
+0.25	1	1.25	nan	1.625	2	0	nan
+0.5	2	1.5	nan	2.25	2	0	nan
+EOD
+D_x_max_in_go_on_1 = 1.25
+D_x_1 = 1.625
+D_y_max_1 = 0
+D_x_1 = 1.625
+$table_1 << EOD
+stage	time/s	D.x/m	D.y/m
+go-on	0	1	2
+go-on	0.5	1.125	1.5
+go-on	1	1.25	1
+more	2	1.5	0
+more	2.5	1.625	-0.5
+EOD
+$go_on_particles_1 << EOD
+particle/-	x/m	y/m	radius/m	angle/rad	vx/m/s	vy/m/s	fx/N	fy/N	moment/N.m	spin/rad/s	contacts/-	fixed/-
+1	1.25	1	0.5	0	0.25	-1	0	0	0	0	0	0
+EOD
+D_x_max_in_go_on_2 = 1.5
+D_x_2 = 2.25
+D_y_max_2 = 0
+D_x_2 = 2.25
+$table_2 << EOD
+stage	time/s	D.x/m	D.y/m
+go-on	0	1	2
+go-on	0.5	1.25	1.5
+go-on	1	1.5	1
+more	2	2	0
+more	2.5	2.25	-0.5
+EOD
+$go_on_particles_2 << EOD
+particle/-	x/m	y/m	radius/m	angle/rad	vx/m/s	vy/m/s	fx/N	fy/N	moment/N.m	spin/rad/s	contacts/-	fixed/-
+1	1.5	1	0.5	0	0.5	-1	0	0	0	0	0	0
+EOD
+# line 27 of the page:
+plot $table_1 using 2:3
+# line 31 of the page:
+set title 'It'
+END
+result $? 'the tables of a run, and the script of its figure without gnuplot'
+
+# A table may have a million rows, here one at the start, 300000 of stage `a` and the others of stage `b`.
+for last in 2099997:quiet 2100000:said; do
+  printf '```scene\nunits none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m velocity 1 0\nstep 1e-6\nrecord time\nstage a\ncycles 300000\n' >rows.md
+  printf 'stage b\nrecord every 3 cycles\ncycles %s\n```\n' "${last%:*}" >>rows.md
+  "$nineball" run rows.md -o rows >out 2>"$why" </dev/null
+  echo 'rows.md:9: warning: table.tsv has 1000001 rows, most of them of stage `b`: write `record every 30 cycles` in it' >wanted
+  case $last in *quiet) : >wanted ;; esac
+  diff wanted "$why" >out
+  result $? "a table of a million rows: $last"
+done
 echo "1..$n"
