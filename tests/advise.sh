@@ -149,6 +149,83 @@ run 1 advise still-swept.md --quantity D.vy --within '1 %' && said 'the value is
 result $? 'a percentage of a quantity that is 0 in the first run of a sweep'
 run 0 advise still.md --quantity D.vx --within 0.1 && said 'within 0.1'
 result $? 'an absolute tolerance'
+# The whole output of a call. The numbers follow from the table: `chosen` is its row, and the next cheaper setting is that with the most
+# updates below it. Times are not compared.
+cat >si.md <<'EOF'
+# Two discs that collide at two speeds
+
+```scene
+sweep     v  0.1 m/s 0.2 m/s
+let       k = 1 N/m
+trade     k 2 N/m
+trade     laws none
+material  m  density 1 kg/m3  kn $k
+disc      0 m 0 m  radius 1 m  m  velocity $v 0 m/s
+disc      2.1 m 0 m  radius 1 m  m  fixed
+monitor   D  disc 1
+record    D.x
+step      0.1 s
+stage     a
+until     D.x above 0.2 m at most 100000 cycles
+```
+EOF
+whole() { sed 's/^  time: .* s (.* to .*) instead of .* s (.* to .*), median and range of 5 runs on .*/  time/; s/^  [0-9]* trials in .* s$/  trials/; /^status /d' "$why"; }
+run 0 advise si.md --quantity 'D.x max' --within '2 %' -o si && whole >given
+rows si/advice.tsv | awk -F '\t' -v quote="'" '
+  { row[NR] = $0; updates[NR] = $5 }
+  $10 == "chosen" { c = NR }
+  $3 == 1 && $12 == "-" { own = $5 }
+  END {
+    split(row[c], a)
+    for (k in row) if (updates[k] < a[5] && !(updates[k] < updates[n])) n = k
+    split(row[n], b)
+    print "si: D.x max within 2 %\n  the cheapest setting within the tolerance: --set refine=" a[3]
+    printf "    the step (%.3g s) is %d times as short as that of the page; normal linear, shear none, as in the page\n", a[4], a[3]
+    printf "  estimated error: at most %.2g %%, in run %s; by the step alone %.2g %%\n", 100*a[8], a[11], 100*a[9]
+    printf "  cost: %.0f recorded values and %.0f contact and particle updates in all 2 runs of the page, ", a[13], a[5]
+    printf "%.3g %% of the %.0f with the page%ss own setting\n  time\n", 100*a[5]/own, own, quote
+    printf "  the next cheaper setting misses the tolerance: --set %s%s%s --set refine=%s\n", quote, b[12], quote, b[3]
+    printf "    estimated error: %.2g %%, in run %s; by the step alone %.2g %%\n", 100*b[8], b[11], 100*b[9]
+    print "to run it: nineball run si.md --set refine=" a[3]
+    print "  this holds for the 2 runs of the page; with other values another setting may be the cheapest\n  trials"
+    print "look at si/advice.svg; all settings that were tried are in si/advice.tsv"
+  }' | diff -u - given >"$why" && grep -q 'set .k=2 N/m. --set refine=4$' given && grep -q 'refine=8$' given
+result $? 'the whole output of a call'
+{ sed 's/^# page .*/# page/; 6,$d' si/advice.tsv && sed '1,/^\$chosen/d' si/advice.gp | sed '1,/^EOD/d'; } | diff -u - /dev/fd/3 >"$why" 3<<EOF
+# nineball $("$nineball" --version | sed -n 's/^nineball //p')
+# page
+# D.x max within 2 %
+# updates with the page's own setting: $(rows si/advice.tsv | awk -F '\t' '$3 == 1 && $12 == "-" { print $5 }')
+normal	shear	refine	mean-step	updates	seconds	error/tolerance	error	error-of-step	result	worst-run	values	recorded
+set datafile separator tab
+set logscale xy
+set format xy '10^{%T}'
+set xrange [$(rows si/advice.tsv | cut -f 5 | sort -g | awk '{ u[NR] = $1 } END { printf "%.9g:%.9g", u[1]/2, 2*u[NR] }')]
+set title 'D.x max within 2 %' noenhanced
+set xlabel 'contact and particle updates of all runs'
+set ylabel 'estimated error, %'
+plot \$variant0 using 5:(\$8*100) with linespoints pt 7 lw 2 title 'normal linear, shear none' noenhanced, \\
+     \$variant1 using 5:(\$8*100) with linespoints pt 7 lw 2 title 'normal linear, shear none, k=2 N/m' noenhanced, \\
+     \$chosen using 5:(\$8*100) with points pt 6 ps 3 lw 2 lc rgb '#a3123a' title 'the advice', \\
+     2 with lines dt 2 lc rgb 'black' title 'tolerance'
+EOF
+result $? 'the whole table and the whole figure'
+run 1 advise si.md --quantity 'D.x max' --within '1e-9 m' --set v='0.1 m/s' -o si &&
+  sed 's/[0-9.e+]* times the/N times the/; /^status/d' "$why" >given && diff -u - given >"$why" <<'EOF'
+si.md: error: `D.x max within 1e-9 m`: the value is not known well enough: with the step divided by 4096 its uncertainty is N times the tolerance. Choose a larger tolerance, an absolute tolerance if the value is near 0, or a larger --budget
+EOF
+result $? 'the whole message about a value that is not known well enough'
+run 1 advise still.md --quantity D.vx --within 1e-5 --set trade='laws none' --set step=0.2 -o none &&
+  whole | sed 's/\([ =]\)[0-9][0-9.e+-]*/\1N/g' >given && diff -u - given >"$why" <<'EOF'
+still: D.vx within N
+  no setting that was tried is within the tolerance
+  the most accurate one: --set refine=N
+    estimated error: N; by the step alone N
+  choose a larger tolerance
+  trials
+look at none/advice.svg; all settings that were tried are in none/advice.tsv
+EOF
+result $? 'the whole output of a call without advice'
 run 2 advise still.md --within '1 %' && said 'name a quantity that it records, by --quantity'
 result $? 'a page that expects nothing'
 run 2 advise "$hertz" && said '--within TOLERANCE'
@@ -219,6 +296,24 @@ cell strain (-rate) -0.01
 until time above 2 at most 100000 cycles
 ```
 EOF
+run 0 advise gas.md --over seed --quantity energy.kinetic --within '10 %' -o gas && whole | sed 's/\([ (=]\)[0-9][0-9.e-]*/\1N/g' >given &&
+  diff -u - given >"$why" <<'EOF'
+gas: energy.kinetic within N %
+  the cheapest setting within the tolerance: --set refine=N
+    the step (N) is N times as long as that of the page; normal linear, shear linear, as in the page
+  estimated error: at most N %; difference of the means N %
+  cost: N recorded values and N contact and particle updates for a realization, N % of the N with the page's own setting
+  time
+  the next cheaper setting misses the tolerance: --set rate=N --set refine=N
+    estimated error: N %; difference of the means N %
+to run it: nineball run gas.md --set refine=N
+  checks of the page that have tighter tolerances may fail then
+  this holds for the mean over realizations (seed = N to N), with N % confidence; a single run is not covered, since runs scatter with a standard deviation of N
+  this holds for this page alone; with other values another setting may be the cheapest
+  trials
+look at gas/advice.svg; all settings that were tried are in gas/advice.tsv
+EOF
+result $? 'the whole advice on a mean over realizations'
 run 0 advise gas.md --over seed --quantity energy.kinetic --within '10 %' -o gas &&
   said 'this holds for the mean over realizations (seed = 1 to 8), with 95 % confidence; a single run is not covered, since runs scatter with a standard deviation of 0.0'
 result $? 'advice on a mean over realizations'

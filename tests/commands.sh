@@ -27,6 +27,10 @@ page drawn '' 'D.x expected 1.5 within 0 [a guess]'
 printf '\n```gnuplot\nplot $table using 2:3\n```\n' >>drawn.md
 printf '```contact-test\nmaterial m kn 1 MN/m\ncontact disc 1 m m with wall m\nsegment s normal to 1 N in 2 steps\n```\n' >touch.md
 head -c 20 /dev/zero | cat good.md - >zeros.md
+page first '' 'report time\nD.x max expected 1.25 within 0 [1 + 0.25]'
+page refine 'let refine = 2' 'D.x above 0'
+page many '' 'D.x above 0'
+sed 's,^disc.*,lattice discs 51 by 1 radius 1 m spacing 3 from 0 0,' many.md >both.md && mv both.md many.md
 
 # Each block below is a command, its standard output behind two spaces, its standard error behind `!`, and its exit status. Times are not
 # compared.
@@ -37,7 +41,7 @@ while IFS= read -r line; do
     ended=$? ;;
   '= '*)
     {
-      sed 's/, [0-9.e-]* s$/, T s/; s/verdict [0-9.e-]* s$/verdict T s/; s/takes [0-9.e-]* us/takes T us/; s/^nineball [0-9.]*$/nineball VERSION/; s/ *$//; s/^/  /' out
+      sed 's/, [0-9.e-]* s$/, T s/; s/verdict [0-9.e-]* s$/verdict T s/; s/about [0-9.]* [a-z]* left/about T left/; s/takes [0-9.e-]* us/takes T us/; s/^nineball [0-9.]*$/nineball VERSION/; s/ *$//; s/^/  /' out
       sed "s|^$nineball: |nineball: |; s/ *\$//; s/^/! /" err
       echo "= $ended"
     } >given
@@ -629,6 +633,98 @@ $ advise good.md --within '1 %' --over v --realizations 7
 $ advise good.md --within '1 %' --over v --realizations 33
 ! nineball: expected --realizations from 8 to 32, together with --over NAME
 = 2
+$ advise wrong.md --within '1 %'
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ advise empty.md --within '1 %'
+! empty.md: error: the page has no expectation of a single value: name a quantity that it records, by --quantity
+= 2
+$ advise good.md --quantity D.q --within '1 %'
+! quantity: error: expected a quantity that the page records, found `D.q`
+!       | D.q within 1 %
+!       | ^~~
+!   hint: `D` is a particle; its quantities are x, y, angle, vx, vy, spin, fx, fy, moment: see `nineball --help quantities`
+= 2
+$ advise good.md --quantity 'D.x max' --within '1 % x'
+! quantity: error: expected the end of the text, found `x`
+!       | D.x max within 1 % x
+!       |                    ^
+= 2
+$ advise good.md --within '1 % of peak'
+! good.md: error: expected a tolerance like `1 %`, or a number in the unit of the quantity
+= 2
+$ advise good.md --within '1 % of D.x max'
+! good.md: error: expected a tolerance like `1 %`, or a number in the unit of the quantity
+= 2
+$ advise good.md --within '0 %'
+! good.md: error: expected a tolerance above 0
+= 2
+$ advise good.md --within -1
+! quantity: error: expected a tolerance of 0 or more, found `-1`
+!       | D.x within -1
+!       |            ^~
+= 2
+$ advise good.md --within '1 %' --over w
+! good.md: error: expected after --over a name that the page defines by `let` or `sweep`, found `w`
+= 2
+$ advise good.md --within '1 %' --over vv
+! good.md: error: expected after --over a name that the page defines by `let` or `sweep`, found `vv`
+= 2
+$ advise good.md --within '1 %' --over v --set v=1
+! good.md: error: --over v and --set v=1 exclude each other: remove one of the two
+= 2
+$ advise good.md --within '1 %' --budget 1e-9
+! good.md: error: the page cannot be run with its own step and with half of it: the budget is too small; choose a larger --budget
+= 1
+$ advise good.md --within '1 %' --set step=-1
+! --set: error: expected a time above 0, found `-1`
+!       | step=-1
+!       |      ^~
+= 2
+$ advise refine.md --within '1 %'
+! refine.md: error: the page has a value named `refine`, which hides --set refine=R: rename this value
+= 2
+$ advise many.md --within '1 %'
+! many.md: error: expected a page of at most 50 particles, found 51: the motion of many particles is chaotic, so the results of one run have no limit for a step towards zero. A mean over realizations has such a limit: name the seed of the random packing, `let seed = 1` and `seed $seed`, and add `--over seed`
+= 2
+$ advise --all wrong.md refine.md -o all
+  1 of 2, wrong: 0 searches, 0 with advice; about T left
+    D.x within 10 %: the page has a value named `refine`, which hides --set refine=R: rename this value
+  2 of 2, refine: 1 searches, 0 with advice
+  1 searches, 0 with advice; look at all/trades.tsv
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ advise --all refine.md wrong.md -o all
+  1 of 2, refine: 1 searches, 0 with advice; about T left
+  2 of 2, wrong: 0 searches, 0 with advice
+  1 searches, 0 with advice, 1 of them from an earlier call; look at all/trades.tsv
+! wrong.md:5:7: error: expected `unstable`, found `nothing`
+!     5 | allow nothing
+!       |       ^~~~~~~
+!   hint: for example `allow     unstable`
+= 2
+$ advise --all empty.md -o all
+    empty has no expectation of a single value that depends on the step
+  1 of 1, empty: 0 searches, 0 with advice
+  0 searches, 0 with advice; look at all/trades.tsv
+= 0
+$ advise noted.md --within '1 %'
+! noted.md: error: the page has no expectation of a single value: name a quantity that it records, by --quantity
+= 2
+$ advise first.md --within '1 %' 2>&1 | head -n 1
+  first: D.x max within 1 %
+= 0
+$ advise --all noted.md -o all
+    noted has no expectation of a single value that depends on the step
+  1 of 1, noted: 0 searches, 0 with advice
+  0 searches, 0 with advice; look at all/trades.tsv
+= 0
 $ report good.md sub/good.md
 ! nineball: good.md and sub/good.md have the same name, so the same output folder: rename one of them
 = 2

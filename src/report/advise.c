@@ -420,7 +420,7 @@ static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *e
   const struct nb_page_run *run = &advice->page.runs[0];
   const char *quantity = advice->query->quantity;
   for (size_t k = 0; k < run->expectations.count && !quantity; k++)
-    if (run->expectations.list[k].kind != NB_VERSUS)
+    if (run->expectations.list[k].kind != NB_VERSUS && run->expectations.list[k].kind != NB_REPORTED)
       quantity = run->expectations.list[k].measure.label;
   if (!quantity)
     return nb_error_set(
@@ -429,8 +429,7 @@ static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *e
   struct nb_expectation wanted;
   snprintf(advice->text, sizeof advice->text, "%s within %s", quantity, advice->query->within);
   if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &advice->page.mistakes))
-    return advice->page.status = NB_BAD_USE,
-           nb_error_set(error, NB_BAD_USE, "the quantity or the tolerance is not valid, as the message above says");
+    return advice->page.status = error->status = NB_BAD_USE; /* page.mistakes has the message */
   advice->tolerance = wanted.tolerance, advice->unit = wanted.measure.unit;
   if (advice->tolerance.kind == NB_OF_PEAK || advice->tolerance.kind == NB_OF_MEASURE)
     return nb_error_set(error, NB_BAD_USE, "expected a tolerance like `1 %%`, or a number in the unit of the quantity");
