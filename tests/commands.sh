@@ -552,6 +552,188 @@ $ --help list
         traction over the contact and the pieces of the contact's history, so the shear law must be
         one that stores pieces. Place: a stage; a segment of a contact test.
 = 0
+$ --help trade
+    trade NAME VALUE …, or laws all|none
+        Lists other values of a name, which `nineball advise` may choose if the run is then cheaper
+        and the error stays within the tolerance. `trade` changes no run. On the command line: --set
+        'trade=NAME VALUE …'. Place: the scene; a page with `start`, before its first stage; a contact
+        test, before its first segment.
+          NAME: the name of a value.
+          VALUE …: other values of the name. The name `soften`, which a page need not define, divides
+            all stiffnesses by the values.
+          laws all|none: `all`: the advice may change the contact laws, also with `--over`; `none`: it
+            keeps the contact laws of the page. Without this statement: `none` with `--over`, and
+            where the page sweeps its laws; else `all`.
+  
+          let       rate = 1
+          trade     rate 3 10
+  
+= 0
+$ --help attempts
+    fill discs|spheres {circle X Y} {radius R} {box X Y} {to X Y} {cell} GRADING MATERIAL seed N
+      attempts N else stop|skip
+          attempts N: a whole number, 1 or more. Largest number of random positions that are tried for
+            each particle, up to 1000000.
+    `monitor G grading NAME`, then `G.attempts`
+          attempts, quantity of a grading: number of placement attempts, for all particles
+= 0
+$ --help amplitude
+          amplitude, after the quantity of an expectation: half the difference between the largest and
+            the smallest value
+= 0
+$ --help C.overlap
+    `monitor C disc 1 with disc 2`, then `C.overlap`
+          overlap, quantity of a contact, in m: overlap of the two particles, or of the particle and
+            the wall
+          overlap, quantity of a contact test, in m: overlap of the particles, or of particle and
+            wall; 0 if there is a gap
+= 0
+$ --help kinetic
+    `kinetic` of other programs is `energy.kinetic` here
+          energy.kinetic, quantity of the scene, in J: kinetic energy of all free particles, rotation
+            included
+= 0
+$ --help hypot
+          hypot, of expressions: see nineball --help expressions
+= 0
+$ --help MPa
+          MPa, a unit; see nineball --help units: a pressure (Pa)
+= 0
+$ --help deg
+          deg, a unit; see nineball --help units: an angle or an angular velocity
+= 0
+$ --help psi
+    1 psi is 6.894757293 kPa; units are those of SI: see nineball --help units
+= 0
+$ --help mindlin_scaled
+          shear mindlin_scaled, a contact law; see nineball laws: as mindlin, but T decreases with the
+            contact radius when N falls
+= 0
+$ --help 'normal hertz'
+          normal hertz, a contact law; see nineball laws: elastic spheres, N = (4/3) E* R*^(1/2)
+            overlap^(3/2)
+= 0
+$ --help momentum
+          momentum, a reference; see nineball list: free particles conserve momentum; without shear
+            forces also angular momentum
+          momentum.x, quantity of the scene, in kg.m/s: momentum of all free particles
+          momentum.y, quantity of the scene, in kg.m/s: momentum of all free particles
+          momentum.angular, quantity of the scene, in kg.m2/s: angular momentum of all free particles
+            about the origin, counterclockwise
+= 0
+$ --help quantities dashpot
+    `monitor C disc 1 with disc 2`, then `C.dashpot.normal`
+          dashpot.normal, quantity of a contact, in N: normal force of the dashpot, D_n [CS79 26]
+          dashpot.shear, quantity of a contact, in N: shear force of the dashpot, D_s [CS79 27]
+= 0
+$ --help quantities dashpots
+! nineball: `quantities dashpots` is not a word of pages; nineball --help scene lists all words, nineball laws the laws
+= 2
+$ --help below
+    until QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N
+      cycles
+          QUANTITY above|below VALUE: a condition: a quantity, as in `record`, and a number with the
+            unit of the quantity.
+    MEASURE below MEASURE|NUMBER
+        The measure is less than the second one of the same run, or than a number with its unit. Equal
+        is not below, and NaN is neither below nor above.
+  
+          C.overlap in part  below  C.overlap max in strike
+          energy.kinetic in part  below  1 MJ
+  
+= 0
+$ --help quantities | head -n 8
+    Quantities for `record`, `until` and expectations, by families. `nineball --help quantities
+    FAMILY` describes each quantity of a family, such as `nineball --help quantities stress`.
+  
+    Of the scene:
+          cycle: calculation cycles since the start
+          time: time since the start
+          stage: .time
+          contacts, .deep: number of contacts with an overlap
+= 0
+$ --help scene | head -n 12
+  
+  Words
+  
+    A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect`
+    and `gnuplot`; all else is prose. Several blocks of one kind are read as one block, in their
+    order. A statement is one line of words with spaces between them; `#` begins a comment.
+  
+    Each section shows the syntax of a statement, what it does, where it may stand, its arguments and
+    an example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and
+    `a|b` means a or b. Clauses (a word and its values) may be in any order. In the list of arguments,
+    `without it` gives the default; an argument without default is required, unless `|` in the syntax
+    makes it one of several. `$NAME` stands for the value that a line `let` or `sweep` above gives to
+= 0
+$ --help units | head -n 12
+    units none|si
+        Whether numbers have units. With `si`, the default, each number that has a dimension has a
+        unit. With `none` all numbers are written without a unit, in consistent units such as those of
+        SI. `units` holds for the whole page. Place: the scene; a contact test, before its first
+        segment.
+          none|si: `si`: numbers have units; `none`: they are written without units.
+  
+          units     si
+  
+  
+  Numbers, units and expressions
+  
+= 0
+$ --help expect | head -n 30
+  
+  Expectations
+  
+    A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the page records, and how the rows
+    of a stage become one number. Without `in STAGE` the rows are those of the last stage that has
+    rows, and for `at` those of all stages. REDUCER is one of:
+  
+          last: the last row; the default
+          max: the largest value of the recorded rows
+          min: the smallest value of the recorded rows
+          mean: the mean of all rows
+          amplitude: half the difference between the largest and the smallest value
+          frequency: number of upward crossings of the mean, minus one, over the time from the first
+            to the last of them, 1/s
+          at N cycles: the row of that cycle, counted from the start of the run; in a contact test `at
+            N steps`
+          at TIME: the value at that time, interpolated linearly between two rows
+          in all: in place of `in STAGE`: the rows of all stages
+  
+    reference NAME
+        Selects the reference solution of the page, with which `within`, `versus` and `order` compare
+        the results. `nineball list` lists the references; they are computed from theory, in the files
+        of cases/refs.
+          NAME: the name of a reference.
+  
+          reference  two_wall_compression
+  
+    report MEASURE
+        Writes the measure to values.tsv and to the verdict, and checks nothing.
+  
+= 0
+$ --help contact-test | head -n 20
+  
+  Contact test
+  
+    A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach
+    and slip, or forces. There is no motion and no time. In an expectation the name of a segment
+    stands in place of a stage: `shear max in load`.
+  
+    repeat from SEGMENT N more times
+        Repeats the lines from the beginning of SEGMENT down to this line N times, after they have run
+        once. The repeated segments are called SEGMENT-2, SEGMENT-3 and so on. Place: a segment of a
+        contact test.
+          from SEGMENT: the name of a segment above.
+          N times: a whole number, 1 or more. How often the lines run in addition to the first time.
+  
+          repeat    from load 2 more times
+  
+    contact disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL
+        Defines the contact that is tested, between two particles or between a particle and a wall. At
+        the start they just touch. Place: a contact test, before its first segment.
+          disc|sphere R MATERIAL: a length above 0, the radius, and the name of a material.
+= 0
 $ --version
   nineball VERSION
   Copyright (C) 2026 the nineball authors.
