@@ -327,6 +327,7 @@ SUITES = \
   tests/refs_extremes.c \
   tests/refs_refuses.c \
   tests/refs_row.c \
+  tests/refs_values.c \
   tests/refs_impact.c \
   tests/refs_loops.c \
   tests/refs_contact.c \

@@ -19,8 +19,7 @@
  * Returns, for each stage:
  *   box.width, box.height, box.stress.xx, box.stress.yy     at its end
  *   M.fx, M.fy                                              for M that monitors a wall
- * Exact if everything is at rest at the end of each stage and a servo has reached its target. Solved by Newton's
- * method.
+ * Exact if everything is at rest at the end of each stage and a servo has reached its target. Solved in closed form.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -36,65 +35,37 @@ struct lattice {
 };
 enum control { WIDTH_HEIGHT, STRESS_HEIGHT, WIDTH_STRESS, STRESSES, MEAN_SHAPE };
 
-/* Residuals of the two equilibrium equations and of the two equations of the stage. `to` has the values that the stage
- * prescribes. */
-static void residuals(double f[4], const struct lattice *it, const struct state *s, enum control control,
-                      const struct state *to) {
-  f[0] = 2 * it->r * it->nx - (it->nx + 1) * s->sx * s->h / (it->ny * it->k) - s->w;
-  f[1] = 2 * it->r * it->ny - (it->ny + 1) * s->sy * s->w / (it->nx * it->k) - s->h;
-  const bool wide = control == WIDTH_HEIGHT || control == WIDTH_STRESS,
-             high = control == WIDTH_HEIGHT || control == STRESS_HEIGHT;
-  f[2] = control == MEAN_SHAPE ? (s->sx + s->sy - to->sx - to->sy) / it->k
-         : wide                ? s->w - to->w
-                               : (s->sx - to->sx) / it->k;
-  f[3] = control == MEAN_SHAPE ? s->w * to->h - s->h * to->w : high ? s->h - to->h : (s->sy - to->sy) / it->k;
+/* Solves the two equations for the two of w, h, sx and sy that the stage does not prescribe. For a mean stress `s` has
+ * the previous w and h, whose ratio does not change. False: a contact opens. */
+static bool solve_equilibrium(const struct lattice *it, enum control control, struct state *s) {
+  const double full_w = 2 * it->r * it->nx, cx = (it->nx + 1) / (it->ny * it->k); /* w = full_w - cx sx h */
+  const double full_h = 2 * it->r * it->ny, cy = (it->ny + 1) / (it->nx * it->k); /* h = full_h - cy sy w */
+  const double shape = s->w / s->h;
+  if (control == STRESSES)
+    s->h = (full_h - cy * s->sy * full_w) / (1 - cx * s->sx * cy * s->sy);
+  if (control == MEAN_SHAPE)
+    s->h = (full_w / cx + full_h / (cy * shape)) / (s->sx + s->sy + shape / cx + 1 / (cy * shape));
+  if (control == STRESSES || control == STRESS_HEIGHT)
+    s->w = full_w - cx * s->sx * s->h;
+  if (control == WIDTH_STRESS)
+    s->h = full_h - cy * s->sy * s->w;
+  if (control == MEAN_SHAPE)
+    s->w = shape * s->h;
+  s->sx = (full_w - s->w) / (cx * s->h), s->sy = (full_h - s->h) / (cy * s->w);
+  return s->w <= full_w && s->h <= full_h;
 }
 
-/* Gaussian elimination with partial pivoting. */
-static void solve_equations(double a[4][5], double x[4]) {
-  for (int k = 0; k < 4; k++) {
-    int p = k;
-    for (int i = k + 1; i < 4; i++)
-      p = fabs(a[i][k]) > fabs(a[p][k]) ? i : p;
-    for (int j = 0; j < 5; j++) {
-      const double swapped = a[k][j];
-      a[k][j] = a[p][j], a[p][j] = swapped;
-    }
-    for (int i = k + 1; i < 4; i++)
-      for (int j = 4; j >= k; j--)
-        a[i][j] -= a[i][k] / a[k][k] * a[k][j];
-  }
-  for (int k = 3; k >= 0; k--) {
-    x[k] = a[k][4];
-    for (int j = k + 1; j < 4; j++)
-      x[k] -= a[k][j] * x[j];
-    x[k] /= a[k][k];
-  }
+/* Whether the wall is a side of the box that the lattice fills. */
+static bool is_side(const struct lattice *it, const struct nb_particle *first, const struct nb_wall *wall) {
+  const bool level = wall->iny != 0;
+  const double inward = level ? wall->iny : wall->inx, sides = level ? it->nx : it->ny;
+  const double begin = (level ? first->y : first->x) - it->r, across = 2 * it->r * (level ? it->ny : it->nx);
+  const double place = (level ? wall->y : wall->x) - begin - (inward < 0 ? across : 0);
+  return inward != 0 && fabs(place) + fabs(wall->h2 - wall->h1 - 2 * it->r * sides) < 1e-9 * it->r;
 }
 
-/* Newton's method. Each residual is linear in each single unknown, so finite differences give the derivatives exactly,
- * except for rounding. */
-static struct state equilibrium(const struct lattice *it, enum control control, const struct state *to) {
-  struct state s = *to;
-  const double delta[4] = {1e-6 * it->r, 1e-6 * it->r, 1e-6 * it->k, 1e-6 * it->k};
-  for (int iteration = 0; iteration < 20; iteration++) {
-    double f[4], g[4], a[4][5], x[4];
-    residuals(f, it, &s, control, to);
-    for (int j = 0; j < 4; j++) {
-      struct state shifted = s;
-      *(j == 0 ? &shifted.w : j == 1 ? &shifted.h : j == 2 ? &shifted.sx : &shifted.sy) += delta[j];
-      residuals(g, it, &shifted, control, to);
-      for (int i = 0; i < 4; i++)
-        a[i][j] = g[i] - f[i], a[i][4] = -f[i];
-    }
-    solve_equations(a, x);
-    s.w += x[0] * delta[0], s.h += x[1] * delta[1], s.sx += x[2] * delta[2], s.sy += x[3] * delta[3];
-  }
-  return s;
-}
-
-/* Reads the lattice: equal touching discs, listed row by row in the order of y, and four walls with the stiffness of
- * the discs. False: the scene is another one. */
+/* Reads the lattice: equal touching discs, listed row by row in the order of y, and a box of the stiffness of the discs
+ * that they fill. False: the scene is another one. */
 static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
   const struct nb_particle *first = scene->particles;
   size_t nx = 1;
@@ -110,32 +81,33 @@ static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
             fabs(particle->x - x) + fabs(particle->y - y) < 1e-12 * it->r * it->nx * it->ny;
   }
   for (size_t w = 0; w < scene->wall_count; w++)
-    right = right && matter_pair(scene, first->material, scene->walls[w].material).kn == it->k;
+    right = right && is_side(it, first, &scene->walls[w]) &&
+            matter_pair(scene, first->material, scene->walls[w].material).kn == it->k;
   return right;
 }
 
-static double strained_length(double length, double rate, const struct nb_stage *stage) {
-  const double one = stage->box.per_cycle ? rate : rate * stage->step.value;
-  return stage->box_line ? length * exp((double)stage->cycles * log1p(one)) : length;
+static double strained_length(double length, double rate, const struct nb_stage *stage, bool per_cycle) {
+  return length * exp((double)stage->cycles * log1p(per_cycle ? rate : rate * stage->step.value));
 }
 
-/* Reads what the stage controls. False: the reference does not cover it. */
-static bool read_stage(enum control *control, struct state *to, const struct nb_stage *stage) {
+/* Reads what the stage controls. `strain` is the last `box strain` of the page, which a stage inherits; NULL: none.
+ * False: the reference does not cover the stage. */
+static bool read_stage(enum control *control, struct state *to, const struct nb_stage *stage,
+                       const struct nb_strain_rate *strain) {
   const struct nb_servo *servo = &stage->servo;
-  const bool x = servo->line && servo->controlled[0], y = servo->line && servo->controlled[1],
-             mean = servo->line && servo->mean;
-  *control = mean ? MEAN_SHAPE : x && y ? STRESSES : x ? STRESS_HEIGHT : y ? WIDTH_STRESS : WIDTH_HEIGHT;
+  const bool x = servo->controlled[0], y = servo->controlled[1];
+  *control = servo->mean ? MEAN_SHAPE : x && y ? STRESSES : x ? STRESS_HEIGHT : y ? WIDTH_STRESS : WIDTH_HEIGHT;
   if (x)
     to->sx = servo->stress[0];
+  else if (strain)
+    to->w = strained_length(to->w, strain->xx, stage, strain->per_cycle);
   if (y)
     to->sy = servo->stress[1];
-  if (!x || mean)
-    to->w = strained_length(to->w, stage->box.xx, stage);
-  if (!y || mean)
-    to->h = strained_length(to->h, stage->box.yy, stage);
-  return !stage->motion_count && (!servo->line || servo->box) &&
-         (!mean || !stage->box_line || stage->box.xx == stage->box.yy) &&
-         (!stage->box_line || stage->box.per_cycle || stage->step.kind == NB_STEP_TIME);
+  else if (strain)
+    to->h = strained_length(to->h, strain->yy, stage, strain->per_cycle);
+  return !stage->motion_count && (!servo->line || (servo->box && servo->quantity[0].monitor < 0)) &&
+         (!servo->mean || !strain || strain->xx == strain->yy) &&
+         (!strain || strain->per_cycle || stage->step.kind == NB_STEP_TIME);
 }
 
 static void add_value(struct nb_solution *solution, const char *of, const char *what, const char *stage, double value) {
@@ -163,15 +135,19 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `boxed_lattice` is for one `lattice discs` of touching discs in a box of the same stiffness");
-  struct state s = {scene->walls[0].h2 - scene->walls[0].h1, scene->walls[1].h2 - scene->walls[1].h1, 0, 0};
+  struct state s = {.w = 2 * it.r * it.nx, .h = 2 * it.r * it.ny};
+  const struct nb_strain_rate *strain = NULL;
   for (size_t k = 0; k < scene->stage_count; k++) {
+    const struct nb_stage *stage = &scene->stages[k];
     enum control control;
-    if (!read_stage(&control, &s, &scene->stages[k]))
+    strain = stage->box_line ? &stage->box : strain;
+    if (!read_stage(&control, &s, stage, strain))
       return nb_error_set(error, NB_BAD_USE,
                           "the reference `boxed_lattice` is for stages that move walls by `box strain` and `servo ... "
-                          "through box` alone");
-    s = equilibrium(&it, control, &s);
-    add_stage(solution, scene, scene->stages[k].name, &s);
+                          "on box through box` alone");
+    if (!solve_equilibrium(&it, control, &s))
+      return nb_error_set(error, NB_BAD_USE, "the reference `boxed_lattice` is for compressed contacts");
+    add_stage(solution, scene, stage->name, &s);
   }
   return solution_status(solution, error);
 }

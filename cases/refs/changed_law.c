@@ -126,6 +126,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
         "velocity, steps given as times, and a contact that does not slide",
         STAGES);
   const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
+  const double foot = dx * wall->ex + dy * wall->ey, moved = foot - side * it.v * end;
+  if (!(fmin(foot, moved) > wall->h1 && fmax(foot, moved) < wall->h2))
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `changed_law` is for a wall so long that the sphere stays on it");
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * contact_radius(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))
     return nb_error_set(error, NB_BAD_USE,

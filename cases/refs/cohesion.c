@@ -14,24 +14,15 @@
  *   L.normal, L.shear, U.normal, U.shear in the stage that moves both plates; the two F_s have opposite signs
  *   U.normal, U.shear in the last stage
  * Accepts one free disc. The first two walls lie along x, one below and one above the disc, and just touch it. The
- * third wall lies along y, just touches the disc, and has neither friction nor cohesion. The stages are, in this order:
- * one that moves the second wall only, any number that move nothing, one that moves the first two walls equally along
- * x, one that moves the second wall away. The positions of the walls are not checked. Error: inertia is neglected; its
+ * third wall lies along y, just touches the disc in the direction of the shear, and has neither friction nor cohesion.
+ * The stages are, in this order: some that move the second wall only, one that moves the first two walls equally along
+ * x, one that moves the second wall away; between them, any number that move nothing. Error: inertia is neglected; its
  * effect is small when the motion is slow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 
 #include "single.h"
-
-static bool wall_motion(const struct nb_stage *stage, int wall, double *vx, double *vy) {
-  for (size_t k = 0; k < stage->motion_count; k++)
-    if (stage->motions[k].wall == wall) {
-      *vx = stage->motions[k].vx, *vy = stage->motions[k].vy;
-      return true;
-    }
-  return false;
-}
 
 static double step_of(const struct nb_scene *scene) {
   return scene->step.kind == NB_STEP_TIME ? scene->step.value : NAN;
@@ -42,36 +33,56 @@ struct loading {
   int shear_stage;         /* index of the stage that moves both plates */
 };
 
+/* Whether the walls touch the disc below, above and at the side. */
+static bool just_touch(const struct nb_scene *scene) {
+  const struct nb_particle *disc = &scene->particles[0];
+  const struct nb_wall *low = &scene->walls[0], *high = &scene->walls[1], *stop = &scene->walls[2];
+  const double r = disc->radius;
+  return low->ey == 0 && high->ey == 0 && stop->ex == 0 && fabs(disc->y - low->y - r) < 1e-9 * r &&
+         fabs(high->y - disc->y - r) < 1e-9 * r && fabs(fabs(stop->x - disc->x) - r) < 1e-9 * r;
+}
+
+/* Updates the velocities of the walls. False: the motion is neither that of the second wall alone nor that of both
+ * plates along x. */
+static bool read_motion(double v[3][2], const struct nb_stage *stage) {
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    const struct nb_wall_motion *motion = &stage->motions[k];
+    v[motion->wall][0] = motion->vx, v[motion->wall][1] = motion->vy;
+  }
+  return v[2][0] == 0 && v[2][1] == 0 && v[0][1] == 0 && v[0][0] == v[1][0] && (v[1][0] == 0 || v[1][1] == 0);
+}
+
 /* Reads the motion of the walls, stage by stage. False: the reference does not cover it. */
 static bool read_stages(struct loading *loading, const struct nb_scene *scene) {
-  double vx = 0, vy = 0, low = 0;
+  double v[3][2], time = 0;
+  bool right = true;
   loading->shear_stage = -1;
-  for (size_t s = 0; s + 1 < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    double zero;
-    wall_motion(stage, 1, &vx, &vy);
-    wall_motion(stage, 0, &low, &zero);
-    const double time = step_of(scene) * (double)stage->cycles;
-    if (low != vx || (vx != 0 && vy != 0))
-      return false;
-    loading->approach -= vy * time;
-    loading->travel += vx * time;
-    if (vx != 0)
-      loading->shear_stage = (int)s;
+  for (int w = 0; w < 3; w++)
+    v[w][0] = scene->walls[w].vx, v[w][1] = scene->walls[w].vy;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    right = read_motion(v, &scene->stages[s]) && right;
+    time = step_of(scene) * (double)scene->stages[s].cycles;
+    if (s + 1 == scene->stage_count)
+      break;
+    right = right && (loading->shear_stage < 0 || (v[1][0] == 0 && v[1][1] == 0));
+    if (v[1][0] != 0)
+      loading->travel = v[1][0] * time, loading->shear_stage = (int)s;
+    loading->approach -= v[1][1] * time;
   }
-  const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
-  return loading->shear_stage >= 0 && wall_motion(last, 1, &vx, &vy) &&
-         vy * step_of(scene) * (double)last->cycles > loading->approach;
+  return right && loading->shear_stage >= 0 && loading->approach > 0 && v[1][1] * time > loading->approach &&
+         loading->travel * (scene->walls[2].x - scene->particles[0].x) > 0;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct loading loading = {0};
-  if (scene->particle_count != 1 || scene->wall_count != 3 || !read_stages(&loading, scene))
+  if (scene->particle_count != 1 || scene->wall_count != 3 || !just_touch(scene) || !read_stages(&loading, scene))
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `cohesion` is for one disc, a stop, and two plates that press, shear and then leave the disc");
   const int particle = scene->particles[0].material;
   const struct matter_pair pair = matter_pair(scene, particle, scene->walls[0].material);
+  if (scene->walls[0].material != scene->walls[1].material)
+    return nb_error_set(error, NB_BAD_USE, "the reference `cohesion` is for plates of one material");
   const struct matter_pair stop = matter_pair(scene, particle, scene->walls[2].material);
   if (stop.friction > 0 || stop.cohesion > 0)
     return nb_error_set(error, NB_BAD_USE, "the reference `cohesion` is for a stop with neither friction nor cohesion");

@@ -10,7 +10,7 @@
  * the part `fabric` is the whole stress, and `variation` and `shear` are zero. n discs have n - 1 contacts with each
  * other and two with walls.
  *
- * Returns, for A that monitors a box, at 0 cycles:
+ * Returns, for A that monitors a box that contains the row up to the walls, at 0 cycles:
  *   A.stress.xx, xy, yy, mean, sinphi, angle; xx, xy, yy, mean, angle of A.stress.contacts and A.stress.fabric
  *   A.stress.fabric.fraction, variation.fraction, shear.fraction
  *   A.fabric.xx, xy, yy, anisotropy, fourth.xxxx; A.coordination, A.contacts; A.normal.mean
@@ -42,6 +42,12 @@ static bool is_row(const struct nb_scene *scene, double ux, double uy, double sp
   return true;
 }
 
+static bool contains(const struct nb_region *box, double x, double y) {
+  const double dx = x - box->x, dy = y - box->y;
+  return fabs(dx * box->ex + dy * box->ey) < box->half_x * (1 + 1e-9) &&
+         fabs(dy * box->ex - dx * box->ey) < box->half_y * (1 + 1e-9);
+}
+
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
   if (n < 2 || scene->wall_count != 2)
@@ -53,25 +59,32 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!is_row(scene, ux, uy, length / (double)(n - 1)))
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `force_chain` is for equal discs at equal distances on a straight line");
-  const double force = matter_pair(scene, first->material, first->material).kn * overlap;
-  /* L; the loop below checks that the overlaps at the walls equal those of the discs */
-  const double between_walls = length + 2 * (R - overlap);
+  const double stiffness = matter_pair(scene, first->material, first->material).kn, force = stiffness * overlap;
+  const double outer = R - overlap, between_walls = length + 2 * outer; /* L */
+  double place[2]; /* of the walls along the row, from the first disc */
+  bool fit = overlap > 0;
   for (int w = 0; w < 2; w++) {
     const struct nb_wall *wall = &scene->walls[w];
-    const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
-    const double distance = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
-    if (fabs(R - distance - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
-      return nb_error_set(
-          error, NB_BAD_USE,
-          "the reference `force_chain` is for walls normal to the row that overlap its end discs as much as the discs "
-          "overlap each other");
+    const double dx = wall->x - first->x, dy = wall->y - first->y, s = -(dx * wall->ex + dy * wall->ey);
+    place[w] = dx * ux + dy * uy;
+    fit = fit && fabs(wall->ex * ux + wall->ey * uy) < 1e-12 && s > wall->h1 && s < wall->h2 &&
+          matter_pair(scene, first->material, wall->material).kn == stiffness;
   }
+  if (!fit || fabs(fmin(place[0], place[1]) + outer) > 1e-9 * overlap ||
+      fabs(fmax(place[0], place[1]) - length - outer) > 1e-9 * overlap)
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `force_chain` is for walls normal to the row, one at each end, that overlap its end discs as "
+        "much as the discs overlap each other, and are as stiff");
   const double u[] = {ux * ux, ux * uy, uy * uy};
   for (size_t k = 0; k < scene->monitor_count; k++) {
     const struct nb_monitor *monitor = &scene->monitors[k];
     if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_BOX)
       continue;
     const struct nb_region *region = &scene->regions[monitor->a];
+    if (!contains(region, first->x - outer * ux, first->y - outer * uy) ||
+        !contains(region, last->x + outer * ux, last->y + outer * uy))
+      continue;
     const double s = force * between_walls / (4 * region->half_x * region->half_y);
     static const char *const stresses[] = {"stress.", "stress.contacts.", "stress.fabric."};
     for (int t = 0; t < 3; t++) {

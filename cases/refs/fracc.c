@@ -16,8 +16,9 @@
  *   FRACC = (h (h^2 - 1)^(1/2))^(1/2)
  *
  * Returns step.fracc max, and D.x max for the disc monitored as D, from the recursion.
- * Accepts one disc, two walls normal to x that touch it, two normal to y that may or may not touch it, linear springs,
- * no shear, no damping, `step F of single-contact`, one stage. Error: rounding.
+ * Accepts one disc, two walls normal to x that touch it, two normal to y that may or may not touch it, both pairs at
+ * equal distances from the origin, linear springs, no shear, no damping, `step F of single-contact`, one stage, and a
+ * motion that neither opens nor closes a contact. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -34,6 +35,25 @@ static double fracc(double h, struct position before, struct position now) {
   return distance > 0 ? h * sqrt(fabs(hypot(now.x, now.y) - hypot(before.x, before.y)) / distance) : 0;
 }
 
+/* Distances of two walls along y and of two along x from the origin; NAN: they are not at equal distances on both sides.
+ * False: a wall has another stiffness than the first one. */
+static bool find_walls(const struct nb_scene *scene, double *beside, double *above) {
+  const int material = scene->particles[0].material;
+  double low[2] = {0}, high[2] = {0}; /* x of the walls along y, y of the walls along x */
+  bool same = true;
+  for (int w = 0; w < 4; w++) {
+    const struct nb_wall *wall = &scene->walls[w];
+    const int axis = wall->ex == 0 ? 0 : 1;
+    const double place = axis == 0 ? wall->x : wall->ey == 0 ? wall->y : NAN;
+    *(place < 0 ? &low[axis] : &high[axis]) = place;
+    same = same &&
+           matter_pair(scene, material, wall->material).kn == matter_pair(scene, material, scene->walls[0].material).kn;
+  }
+  *beside = high[0] > 0 && low[0] == -high[0] ? high[0] : NAN;
+  *above = high[1] > 0 && low[1] == -high[1] ? high[1] : NAN;
+  return same;
+}
+
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = &scene->stages[0];
   const struct nb_particle *disc = &scene->particles[0];
@@ -44,19 +64,24 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
-  double hy = 0; /* no walls that touch in y */
-  for (int w = 0; w < 4; w++) {
-    if (matter_pair(scene, disc->material, scene->walls[w].material).kn != kn)
-      return nb_error_set(error, NB_BAD_USE, "the reference `fracc` is for walls of one stiffness");
-    hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;
-  }
+  double beside, above; /* distances of the walls along y and along x from the origin */
+  if (!find_walls(scene, &beside, &above))
+    return nb_error_set(error, NB_BAD_USE, "the reference `fracc` is for walls of one stiffness");
+  const double hy = above < disc->radius ? h : 0;
   struct position before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
   double largest_x = fmax(before.x, now.x), largest = fracc(h, before, now);
+  double reach_x = fmax(fabs(before.x), fabs(now.x)), reach_y = fabs(now.y);
   for (unsigned long n = 1; n < stage->cycles; n++) {
     const struct position next = {2 * now.x - before.x - 4 * h * h * now.x, 2 * now.y - before.y - 4 * hy * hy * now.y};
     before = now, now = next;
     largest_x = fmax(largest_x, now.x), largest = fmax(largest, fracc(h, before, now));
+    reach_x = fmax(reach_x, fabs(now.x)), reach_y = fmax(reach_y, fabs(now.y));
   }
+  if (!(reach_x < disc->radius - beside) || !(reach_y < fabs(disc->radius - above)))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `fracc` is for two walls along y that the disc touches all the time and two along "
+        "x that it touches all the time or never, at equal distances from the origin");
   solution_value(solution, largest, "step.fracc max");
   solution_value(solution, largest_x, "D.x max");
   return solution_status(solution, error);

@@ -11,8 +11,8 @@
  * short. a_1 is the overlap after the smallest number of steps that closes the gap.
  *
  * Returns step.fracc max.
- * Accepts two equal discs, the second at rest, linear springs, no damping, `step F of single-contact`. Error: rounding
- * of a_1.
+ * Accepts two equal discs, the second at rest, linear springs, no damping, `step F of single-contact`, and a run that
+ * is long enough for two forces. Error: rounding of a_1.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -29,7 +29,13 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                         "head-on along x, and for `step F of single-contact`");
   const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
-  const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;
+  const double steps = floor(gap / (a->vx * step)) + 1, first = steps * a->vx * step - gap;
+  double cycles = 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    cycles += (double)scene->stages[s].cycles;
+  if (!(gap >= 0) || cycles < steps + 1)
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `fracc_touch` is for discs that touch in the run, and not before it");
   const double growth = (a->vx - 2 * k * first * step / mass) * step;
   solution_value(solution, sqrt(fabs(growth) / first) / 2, "step.fracc max");
   return solution_status(solution, error);

@@ -1,0 +1,677 @@
+/* References on scenes without symmetry, compared with other formulas, and the whole message of each scene that they
+ * refuse. The expected values come from theory; none is a number that a program computed.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "refs_scenes.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* A value of a solution, or the value at x of a curve versus `along`. */
+struct expected {
+  const char *name;
+  double value;
+  const char *along;
+  double x;
+};
+
+/* An array with one more element, so that a loop over one element too many reads this element. */
+static void *one_more(const void *array, size_t count, size_t size, const void *more) {
+  char *longer = malloc((count + 1) * size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(longer);
+  if (count)
+    memcpy(longer, array, count * size);
+  memcpy(longer + count * size, more, size);
+  return longer;
+}
+
+/* Solves the scene of a page without units, after an element has been added behind the ends of its arrays. */
+static enum nb_status solve(struct nb_solution *solution, const char *reference, const char *text,
+                            struct nb_error *error) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\n%s", text);
+  written_scene(&it, &page);
+  struct nb_scene scene = it.scene;
+  const struct nb_particle particle = {.x = NAN, .y = NAN, .radius = 1e9, .shape = scene.particles[0].shape};
+  const struct nb_wall wall = {.x = NAN, .y = NAN, .ex = NAN};
+  struct nb_stage stage = scene.stages[scene.stage_count - 1];
+  struct nb_monitor monitor = {0};
+  if (scene.monitor_count)
+    monitor = scene.monitors[0];
+  strcpy(stage.name, "beyond"), strcpy(monitor.name, "beyond");
+  scene.particles = one_more(scene.particles, scene.particle_count, sizeof particle, &particle);
+  scene.walls = one_more(scene.walls, scene.wall_count, sizeof wall, &wall);
+  scene.stages = one_more(scene.stages, scene.stage_count, sizeof stage, &stage);
+  scene.monitors = one_more(scene.monitors, scene.monitor_count, sizeof monitor, &monitor);
+  *solution = (struct nb_solution){0};
+  const enum nb_status status = nb_reference_solve(nb_reference_find(reference), solution, &scene, error);
+  free(scene.particles), free(scene.walls), free(scene.stages), free(scene.monitors);
+  written_free(&it);
+  return status;
+}
+
+/* The solution has the expected values, and no other ones. `scale`: a value of 0 may differ by 1e-12 of it. */
+static void check(const char *reference, const char *page, double scale, const struct expected *expected,
+                  size_t count) {
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  size_t named = 0;
+  if (solve(&solution, reference, page, &error) != NB_OK)
+    printf("# %s: %s\n", reference, error.text);
+  for (size_t k = 0; k < count; k++) {
+    const struct expected *it = &expected[k];
+    const double *value = it->along ? NULL : solution_find(&solution, it->name);
+    const struct nb_solution_curve *curve = it->along ? solution_find_curve(&solution, it->name, it->along) : NULL;
+    const double found = value ? *value : curve ? curve->at(curve->data, it->x) : NAN;
+    const bool right = fabs(found - it->value) <= 1e-12 * fmax(fabs(it->value), scale);
+    if (!right)
+      printf("# %s: %s at %g is %.17g, expected %.17g\n", reference, it->name, it->x, found, it->value);
+    CU_ASSERT(right);
+    size_t same = 0; /* the first row of this name */
+    while (strcmp(expected[same].name, it->name) != 0 || !expected[same].along != !it->along ||
+           (it->along && strcmp(expected[same].along, it->along) != 0))
+      same++;
+    named += same == k;
+  }
+  if (named != solution.value_count + solution.curve_count)
+    printf("# %s: %zu values and %zu curves\n", reference, solution.value_count, solution.curve_count);
+  CU_ASSERT_EQUAL(named, solution.value_count + solution.curve_count);
+  solution_free(&solution);
+}
+#define VALUES(reference, page, scale, ...)                                                                            \
+  do {                                                                                                                 \
+    const struct expected expected[] = {__VA_ARGS__};                                                                  \
+    check(reference, page, scale, expected, sizeof expected / sizeof *expected);                                       \
+  } while (0)
+
+/* The reference accepts the scene if `message` is NULL, or refuses it with this message, after its name. */
+static void check_message(const char *reference, const char *page, const char *message) {
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  char text[512] = "";
+  const enum nb_status status = solve(&solution, reference, page, &error);
+  if (message)
+    snprintf(text, sizeof text, "the reference `%s` is for %s", reference, message);
+  const bool right = status == (message ? NB_BAD_USE : NB_OK) && (!message || strcmp(error.text, text) == 0);
+  if (!right)
+    printf("# %s, status %d\n# found:    %s\n# expected: %s\n# page: %s\n", reference, status, error.text, text, page);
+  CU_ASSERT(right);
+  solution_free(&solution);
+}
+
+/* Pages made of a text with %s for the part that changes. */
+struct part {
+  const char *text, *message;
+};
+static void check_parts(const char *reference, const char *page, const struct part *parts, size_t count) {
+  for (size_t k = 0; k < count; k++) {
+    char text[4096];
+    const char *const at = strchr(page, '@');
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(at - page), page, parts[k].text, at + 1);
+    check_message(reference, text, parts[k].message);
+  }
+}
+/* The page with each text in place of `@`. */
+#define PARTS(reference, page, ...)                                                                                    \
+  do {                                                                                                                 \
+    static const struct part parts[] = {__VA_ARGS__};                                                                  \
+    check_parts(reference, page, parts, sizeof parts / sizeof *parts);                                                 \
+  } while (0)
+
+/* Three spheres of two densities about the point (2, 3). Region Q is off the centre by a hundred-millionth of its radius,
+ * region U by a ten-thousandth of that. */
+#define HEAP                                                                                                           \
+  "material a density 3 young 1 poisson 0.2\nmaterial b density 7 young 1 poisson 0.2\nnormal hertz\n"                 \
+  "sphere 5 1 radius 2 a\nsphere 1 6 radius 1 b\nsphere -3 2 radius 0.5 a\nregion R circle 2 3 radius 1.5\n"           \
+  "region Q circle (2 + 2e-8) 3 radius 2\nregion V circle 2 (3 - 2e-8) radius 2\nregion U circle (2 + 2e-12) 3 "       \
+  "radius 2\nregion B box 0 1 to 4 5\nmonitor D sphere 1\nstep 1\nrecord R.stress.mean\n"
+static void centripetal(void) {
+  const double mass = 4 * pi / 3 * (3 * 8.125 + 7), thickness = 7. / 3, radius = sqrt(5.25 / 0.845);
+  const double p0 = 5 * mass / (pi * radius * thickness);
+  VALUES("centripetal",
+         HEAP "stage s\ngravity centripetal 4 about 2 3\ncycles 1\nstage n\ngravity 0 0\ncycles 1\nstage t\n"
+              "gravity centripetal 5 about 2 3\ncycles 1\nstage u\ncycles 1\n",
+         p0, {"R.stress.mean in u", p0 * (1 - 1 / radius)}, {"U.stress.mean in u", p0 * (1 - 4 / (3 * radius))});
+  check_message("centripetal",
+                HEAP "stage s\ngravity centripetal 4 about 2 3\ncycles 1\nstage t\ngravity 0 0\ncycles 1\n",
+                "`gravity centripetal` in the last stage");
+}
+
+/* A disc between two plates. The springs of the plates have k_n = 15 and k_s = 6, since those of the disc are 10 and 4
+ * and those of the plates 30 and 12; the stop has k_n = 60/8. */
+#define PRESSED                                                                                                        \
+  "material d density 1 kn 10 ks 4 friction 0.5 cohesion 0.02\nmaterial p kn 30 ks 12 friction 0.7 cohesion 0.03\n"    \
+  "material q kn 30 ks 12 friction 0.7 cohesion 0.03\nmaterial s kn 6\nnormal linear\nshear linear\n"
+#define PLATES(side)                                                                                                   \
+  PRESSED "disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop " side " s\n"
+#define WATCHED                                                                                                        \
+  "monitor L disc 1 with wall low\nmonitor U disc 1 with wall high\nmonitor S disc 1 with wall stop\n"                 \
+  "monitor D disc 1\nmonitor W wall high\n"
+#define PRESS                                                                                                          \
+  "step 0.1\nstage press\nwall high velocity 0 -0.01\ncycles 20\nstage rest\nwall high velocity 0 0\ncycles 7\n"
+#define LEAVE "stage leave\nwall low velocity 0 0\nwall high velocity 0 0.3\ncycles 1\n"
+static void cohesion(void) {
+  const double normal = 15 * 0.02 / 2, stop = 7.5, limit = 0.5 * normal + 0.02;
+  const double sticks = 6 * 0.006 / (1 + 12 / stop);
+  CU_ASSERT(sticks < 0.5 * limit);
+  VALUES("cohesion",
+         PLATES("7 6 to 7 8") WATCHED PRESS
+         "stage drag\nwall low velocity 0.02 0\nwall high velocity 0.02 0\ncycles 3\n" LEAVE,
+         0, {"L.normal in drag", normal}, {"L.shear in drag", sticks}, {"U.normal in drag", normal},
+         {"U.shear in drag", -sticks}, {"U.normal in leave", 0}, {"U.shear in leave", 0});
+  VALUES("cohesion",
+         PLATES("3 6 to 3 8") WATCHED PRESS
+         "stage drag\nwall low velocity -0.02 0\nwall high velocity -0.02 0\ncycles 300\n" LEAVE,
+         0, {"L.normal in drag", normal}, {"L.shear in drag", -limit}, {"U.normal in drag", normal},
+         {"U.shear in drag", limit}, {"U.normal in leave", 0}, {"U.shear in leave", 0});
+#define KIND "one disc, a stop, and two plates that press, shear and then leave the disc"
+#define DRAG "stage drag\nwall low velocity 0.02 0\nwall high velocity 0.02 0\ncycles 3\n"
+  PARTS("cohesion", PLATES("7 6 to 7 8") "@", {PRESS DRAG LEAVE, NULL},
+        {PRESS DRAG "stage wait\nwall low velocity 0 0\nwall high velocity 0 0\ncycles 1\n" LEAVE, NULL},
+        {PRESS DRAG "stage again\ncycles 1\n" LEAVE, KIND}, {PRESS DRAG, KIND}, {PRESS LEAVE, KIND},
+        {"step 0.1\n" DRAG LEAVE, KIND}, {"step 0.1\nstage s\ncycles 1\n" DRAG LEAVE, KIND},
+        {"step 0.1\n" DRAG "stage press\nwall low velocity 0 0\nwall high velocity 0 -0.01\ncycles 20\n" LEAVE, KIND},
+        {PRESS DRAG "stage more\nwall low velocity 0 0\nwall high velocity 0 -0.01\ncycles 2\n" LEAVE, KIND},
+        {"step 0.1 of single-contact\nstage press\nwall high velocity 0 -0.01\ncycles 20\n" DRAG LEAVE, KIND},
+        {PRESS DRAG "stage leave\nwall low velocity 0 0\nwall high velocity 0 0.19\ncycles 1\n", KIND},
+        {PRESS DRAG "stage leave\nwall low velocity 0 0\nwall high velocity 0 0.21\ncycles 1\n", NULL},
+        {PRESS DRAG "stage leave\nwall high velocity 0 0.3\ncycles 1\n", KIND},
+        {PRESS DRAG "stage leave\nwall low velocity 0 -0.1\nwall high velocity 0 0.3\ncycles 1\n", KIND},
+        {PRESS DRAG "stage leave\nwall low velocity 0 0\nwall high velocity 0 0.3\nwall stop velocity 1 0\ncycles 1\n",
+         KIND},
+        {PRESS DRAG "stage leave\nwall low velocity 0 0\nwall high velocity 0 0.3\nwall stop velocity 0 1\ncycles 1\n",
+         KIND},
+        {PRESS "stage drag\nwall low velocity -0.02 0\nwall high velocity -0.02 0\ncycles 3\n" LEAVE, KIND},
+        {PRESS "stage drag\nwall low velocity 0.01 0\nwall high velocity 0.02 0\ncycles 3\n" LEAVE, KIND},
+        {PRESS "stage drag\nwall low velocity 0.02 0\nwall high velocity 0.02 -0.01\ncycles 3\n" LEAVE, KIND});
+  PARTS("cohesion", PRESSED "@" PRESS DRAG LEAVE,
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 q\nwall stop 7 6 to 7 8 s\n",
+         "plates of one material"},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 p\n",
+         "a stop with neither friction nor cohesion"},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n"
+         "pair d s friction 0 cohesion 1\n",
+         "a stop with neither friction nor cohesion"},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p velocity 0 0.1\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n",
+         KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5.1 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9.1 p\nwall stop 7 6 to 7 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7.1 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 (5 - 1e-8) to 9 (5 - 1e-8) p\nwall high 0 9 to 9 9 p\n"
+         "wall stop 7 6 to 7 8 s\n",
+         KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 (5 + 1e-8) to 9 (5 + 1e-8) p\nwall high 0 9 to 9 9 p\n"
+         "wall stop 7 6 to 7 8 s\n",
+         KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 (5 + 1e-10) to 9 (5 + 1e-10) p\nwall high 0 (9 - 1e-10) to 9 (9 - 1e-10) p\n"
+         "wall stop (7 - 1e-10) 6 to (7 - 1e-10) 8 s\n",
+         NULL},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 (9 + 1e-8) to 9 (9 + 1e-8) p\n"
+         "wall stop 7 6 to 7 8 s\n",
+         KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\n"
+         "wall stop (7 + 1e-8) 6 to (7 + 1e-8) 8 s\n",
+         KIND});
+#undef KIND
+#undef DRAG
+}
+
+/* One disc of mass 5 between walls of k_n = 20: with w^2 = 2 k_n/m and sin(phi/2) = w dt/2 = h, the cycle gives
+ * x_n = x_0 cos(n phi) and y_n = v_y dt sin(n phi)/sin(phi), or n v_y dt without walls in y. */
+static void fracc_of(double x0, double vy, double h, bool tight, int cycles) {
+  const double phi = 2 * asin(h), dt = 2 * h / sqrt(8);
+  double x = x0, y = 0, largest = 0, most = x0;
+  char page[1024];
+  for (int n = 1; n <= cycles; n++) {
+    const double u = x0 * cos(n * phi), v = vy * dt * (tight ? sin(n * phi) / sin(phi) : n);
+    const double moved = hypot(u - x, v - y);
+    largest = fmax(largest, moved > 0 ? h * sqrt(fabs(hypot(u, v) - hypot(x, y)) / moved) : 0);
+    x = u, y = v, most = fmax(most, x);
+  }
+  snprintf(page, sizeof page,
+           "material m density (5/(4*pi)) kn 30\nmaterial n kn 15\ndisc %.17g 0 radius 2 m velocity 0 %.17g\n"
+           "wall n -9 %s to 9 %s n\nwall e 1.5 -9 to 1.5 9 n\nwall w -1.5 -9 to -1.5 9 n\nwall s -9 %s to 9 %s n\n"
+           "monitor D disc 1\nstep (%.17g/sqrt(2)) of single-contact\nallow unstable\nstage s\ncycles %d\n",
+           x0, vy, tight ? "1.5" : "2.5", tight ? "1.5" : "2.5", tight ? "-1.5" : "-2.5", tight ? "-1.5" : "-2.5", h,
+           cycles);
+  VALUES("fracc", page, 1, {"step.fracc max", largest}, {"D.x max", most});
+}
+
+#define BETWEEN                                                                                                        \
+  "material m density 1 kn 20\nmaterial o kn 21\ndisc 0.1 0 radius 2 m@\nstep 0.1 of single-contact\nstage s\ncycles " \
+  "60\n"
+#define FOUR(n, e, w, s)                                                                                               \
+  "wall n -9 " n " to 9 " n " m\nwall e " e " -9 to " e " 9 m\nwall w " w " -9 to " w " 9 m\nwall s -9 " s " to 9 " s  \
+  " m"
+static void fracc(void) {
+  fracc_of(0.1, 0, 0.3, false, 4);
+  fracc_of(-0.1, 0, 0.5, false, 2);
+  fracc_of(-0.1, 0, 0.5, true, 3);
+  fracc_of(0.01, 0.05, 0.3, true, 40);
+  fracc_of(-0.01, 0.05, 0.3, false, 20);
+  fracc_of(0, 0, 0.3, false, 3); /* at rest */
+  fracc_of(0.01, 0.05, 0.3, true, 1);
+#define REACH                                                                                                          \
+  "two walls along y that the disc touches all the time and two along x that it touches all the time or never, at "    \
+  "equal distances from the origin"
+  PARTS(
+      "fracc", BETWEEN, {"\n" FOUR("1", "1.8", "-1.8", "-1"), NULL}, {"\n" FOUR("3", "1.8", "-1.8", "-3"), NULL},
+      {"\n" FOUR("1", "1.91", "-1.91", "-1"), REACH}, {"\n" FOUR("1", "1.89", "-1.89", "-1"), NULL},
+      {"\n" FOUR("1", "1.8", "-1.81", "-1"), REACH}, {"\n" FOUR("1", "1.8", "-1.8", "-1.1"), REACH},
+      {"\n" FOUR("1", "1.8", "1.8", "-1"), REACH}, {"\n" FOUR("1", "-1.8", "-1.8", "-1"), REACH},
+      {"\n" FOUR("1", "1.8", "-1.8", "1"), REACH}, {"\n" FOUR("-1", "1.8", "-1.8", "-1"), REACH},
+      {"\nwall n -9 1 to 9 1.1 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m", REACH},
+      {" velocity 0 0.4\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), REACH},
+      {" velocity 0 -0.4\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), REACH},
+      {" velocity 0 0.2\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), NULL},
+      {" velocity 0 0.4\n" FOUR("3", "1.8", "-1.8", "-3"), REACH},
+      {" velocity 0 0.05\n" FOUR("3", "1.8", "-1.8", "-3"), NULL},
+      {"\nwall n -9 1 to 9 1 m\nwall e 1.8 -9 to 1.8 9 o\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m",
+       "walls of one stiffness"},
+      {"\nwall n -9 1 to 9 1 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m",
+       "one disc between four walls, with `step F of single-contact`"},
+      {"\ndisc 9 9 radius 1 m\n" FOUR("1", "1.8", "-1.8", "-1"),
+       "one disc between four walls, with `step F of single-contact`"});
+#undef REACH
+}
+
+/* Two discs of mass 5 and k = 20, so the step is 0.01, in which the first disc moves by 0.03. It crosses the gap of 0.1
+ * in the fourth step. */
+static void fracc_touch(void) {
+  const double overlap = 0.02, force = 20 * overlap, growth = 20 * (3 - 2 * force * 0.01 / 5) * 0.01;
+#define STRIKE "material m density (5/(4*pi)) kn 20\ndisc 3 2 radius 2 m velocity 3 0\ndisc @ 2 radius 2 m\n"
+  VALUES("fracc_touch",
+         "material m density (5/(4*pi)) kn 20\ndisc 3 2 radius 2 m velocity 3 0\ndisc 7.1 2 radius 2 m\n"
+         "step 0.01 of single-contact\nstage s\ncycles 2\nstage t\ncycles 3\n",
+         0, {"step.fracc max", sqrt(growth / force) / 2});
+#define TOUCH "discs that touch in the run, and not before it"
+#define EQUAL                                                                                                          \
+  "two equal discs, the first of which strikes the second head-on along x, and for `step F of single-contact`"
+#define SHARE "step 0.01 of single-contact\nstage s\ncycles "
+  PARTS("fracc_touch", STRIKE SHARE "5\n", {"7.1", NULL}, {"7", NULL}, {"6.99", TOUCH}, {"-1.1", TOUCH}, {"7.11", NULL},
+        {"7.13", TOUCH});
+  PARTS("fracc_touch",
+        "material m density (5/(4*pi)) kn 20\ndisc 3 2 radius 2 m velocity 3 0\ndisc 7.1 2 radius 2 m\n@",
+        {SHARE "4\n", TOUCH}, {"step 0.01\nstage s\ncycles 50\n", EQUAL});
+  PARTS("fracc_touch", STRIKE "disc 99 9 radius 2 m\n" SHARE "5\n", {"7.1", EQUAL});
+#undef TOUCH
+#undef EQUAL
+#undef SHARE
+#undef STRIKE
+}
+
+/* Two rows of three discs in a box of 12 by 8 at (1, 5). The two equations of the reference are iterated: they contract
+ * by the fraction of the overlap. A servo that controls one length has a strain rate of the other. */
+struct boxed {
+  double w, h, sx, sy;
+};
+static struct boxed boxed_with(double sx, double sy, double w, double h) {
+  struct boxed b = {isnan(w) ? 12 : w, isnan(h) ? 8 : h, sx, sy};
+  for (int k = 0; k < 100; k++) {
+    b.w = isnan(w) ? 12 - 4 * sx * b.h / (2 * 50.) : w;
+    b.h = isnan(h) ? 8 - 3 * sy * b.w / (3 * 50.) : h;
+  }
+  if (isnan(sx))
+    b.sx = 2 * 50 * (12 - b.w) / 4 / b.h;
+  if (isnan(sy))
+    b.sy = 3 * 50 * (8 - b.h) / 3 / b.w;
+  return b;
+}
+#define AT_REST(stage, b)                                                                                              \
+  {"box.width in " stage, (b).w}, {"box.height in " stage, (b).h}, {"box.stress.xx in " stage, (b).sx},                \
+      {"box.stress.yy in " stage, (b).sy}, {"W.fx in " stage, -(b).sx * (b).h}, {"W.fy in " stage, 0},                 \
+      {"E.fx in " stage, (b).sx * (b).h}, {"E.fy in " stage, 0}, {"S.fx in " stage, 0},                                \
+      {"S.fy in " stage, -(b).sy * (b).w}, {"N.fx in " stage, 0}, {                                                    \
+    "N.fy in " stage, (b).sy *(b).w                                                                                    \
+  }
+#define ROCK                                                                                                           \
+  "material a density 1 kn 50\nmaterial b density 1 kn 50\nmaterial c density 1 kn 51\nnormal linear\nshear none\n"
+#define SIX "lattice discs 3 by 2 from 3 7 radius 2 spacing 4 a\n"
+#define SERVO(target, on) "servo " target " on " on " through box at most 1e-4 per cycle\n"
+static void boxed_lattice(void) {
+  const struct boxed s = boxed_with(NAN, NAN, 12 * pow(1 - 0.00025, 10), 8 * pow(1 - 0.0005, 10)),
+                     t = boxed_with(NAN, NAN, s.w * pow(1 - 0.0005, 4), s.h * pow(1 - 0.001, 4)),
+                     u = boxed_with(0.7, NAN, NAN, t.h * pow(1 - 0.001, 6)),
+                     v = boxed_with(NAN, 0.4, u.w * pow(1 - 1e-4, 7), NAN), x = boxed_with(0.9, 0.9, NAN, NAN);
+  struct boxed y = x, z;
+  double low = 0.5, high = 1; /* fractions by which width and height change, such that the mean stress is 0.8 */
+  for (int k = 0; k < 100; k++) {
+    const double middle = (low + high) / 2 * 12 / x.w;
+    y = boxed_with(NAN, NAN, middle * x.w, middle * x.h);
+    *(y.sx + y.sy > 1.6 ? &low : &high) = (low + high) / 2;
+  }
+  z = boxed_with(NAN, NAN, y.w * pow(1 - 2e-4, 3), y.h * pow(1 - 2e-4, 3));
+  VALUES(
+      "boxed_lattice",
+      ROCK
+      "box 1 5 to 13 13 b\n" SIX
+      "monitor W wall west\nmonitor D disc 1\nmonitor E wall east\nmonitor S wall south\nmonitor N wall north\n"
+      "step 0.25\nstage s\nbox strain -0.001 -0.002\ncycles 10\nstage t\nstep 0.5\ncycles 4\nstage u\n" SERVO(
+          "xx 0.7",
+          "box") "cycles 6\nstage v\nbox strain -1e-4 per cycle -3e-4 per cycle\n" SERVO("yy 0.4",
+                                                                                         "walls") "cycles 7\nstage "
+                                                                                                  "x\n" SERVO(
+                                                                                                      "isotropi"
+                                                                                                      "c 0.9",
+                                                                                                      "box") "c"
+                                                                                                             "y"
+                                                                                                             "c"
+                                                                                                             "l"
+                                                                                                             "e"
+                                                                                                             "s"
+                                                                                                             " "
+                                                                                                             "5"
+                                                                                                             "\nstage "
+                                                                                                             "y\nbox "
+                                                                                                             "strain "
+                                                                                                             "-2e-4 "
+                                                                                                             "per "
+                                                                                                             "cycle "
+                                                                                                             "-2e-4 "
+                                                                                                             "per "
+                                                                                                             "c"
+                                                                                                             "y"
+                                                                                                             "c"
+                                                                                                             "l"
+                                                                                                             "e"
+                                                                                                             "\n" SERVO(
+                                                                                                                 "mean "
+                                                                                                                 "0.8",
+                                                                                                                 "box") "cycles 5\nstage z\ncycles 3\n",
+      1e-2, AT_REST("s", s), AT_REST("t", t), AT_REST("u", u), AT_REST("v", v), AT_REST("x", x), AT_REST("y", y),
+      AT_REST("z", z));
+#define LATTICE "one `lattice discs` of touching discs in a box of the same stiffness"
+#define STAGES "stages that move walls by `box strain` and `servo ... on box through box` alone"
+  PARTS("boxed_lattice", ROCK "@step 0.1\nstage s\nbox strain -1e-4 per cycle -1e-4 per cycle\ncycles 1\n",
+        {"box 1 5 to 13 13 a\n" SIX, NULL}, {"box 1 5 to 13 13 c\n" SIX, LATTICE},
+        {"box 1 5 to (13 + 1e-9) 13 b\n" SIX, NULL}, {"box 1 5 to (13 + 1e-8) 13 b\n" SIX, LATTICE},
+        {"box 1 5 to (13 - 1e-8) 13 b\n" SIX, LATTICE}, {"box 1 5 to 13 (13 + 1e-8) b\n" SIX, LATTICE},
+        {"box 1 5 to 13 (13 - 1e-8) b\n" SIX, LATTICE}, {"box 2 5 to 14 13 b\n" SIX, LATTICE},
+        {"box 1 4 to 13 12 b\n" SIX, LATTICE},
+        {"box 1 5 to 5 13 b\nlattice discs 1 by 2 from 3 7 radius 2 spacing 4 a\n", NULL},
+        {"box 1 5 to 13 9 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\n", NULL},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\n", LATTICE},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
+         "disc 7 11 radius 2 a\ndisc 11 11 radius 2 b\n",
+         LATTICE},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
+         "disc 7 11 radius 2 a\ndisc 11 11 radius 1.999 a\n",
+         LATTICE},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
+         "disc (7 + 1e-10) 11 radius 2 a\ndisc 11 11 radius 2 a\n",
+         LATTICE},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
+         "disc 7 (11 - 1e-10) radius 2 a\ndisc 11 11 radius 2 a\n",
+         LATTICE},
+        {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
+         "disc (7 + 2e-12) 11 radius 2 a\ndisc 11 11 radius 2 a\n",
+         NULL},
+        {"box 1 5 to 13 17 b\n" SIX "disc 3 15 radius 2 a\n", LATTICE});
+  PARTS("boxed_lattice", ROCK "box 1 5 to 13 13 b\n" SIX "region R box 2 6 to 8 9\nstep 0.1\nstage s\n@cycles 4\n",
+        {"", NULL}, {"box strain 0 0\n", NULL}, {"box strain 1e-4 -1e-4\n", "compressed contacts"},
+        {"box strain -1e-4 1e-4\n", "compressed contacts"}, {SERVO("xx 1", "R"), STAGES},
+        {SERVO("xx 1", "walls"), NULL}, {"wall west velocity 0 0\n", STAGES},
+        {"box strain 0 1e-4\n" SERVO("mean 1", "box"), STAGES}, {"box strain 1e-4 1e-4\n" SERVO("mean 1", "box"), NULL},
+        {"step 0.1 of stable\n", NULL}, {"step 0.1 of stable\nbox strain -1e-4 -1e-4\n", STAGES},
+        {"box strain -1e-4 per cycle -1e-4 per cycle\nstep 0.1 of stable\n", NULL});
+#undef LATTICE
+#undef STAGES
+}
+
+/* Two particles that do not touch, from rest in x_(N+1) = x_N + u_(N+1) dt with u <- K u + e x [R89 4.43]. */
+static double accumulated(double from, double e, double keep, int cycles) {
+  double x = from, u = 0;
+  for (int n = 0; n < cycles; n++)
+    u = keep * u + e * x, x += u;
+  return x;
+}
+static void carried_with(const char *damping, double keep) {
+  static const double e[][2] = {{0.01, -0.02}, {-0.5, 0.03}, {0, 0.01}};
+  for (int k = 0; k < 3; k++) {
+    const double ex = e[k][0], ey = e[k][1], fx = 3 * pow(1.004, 7), fy = -2 * pow(1 - 0.001, 7);
+    char page[1024];
+    snprintf(page, sizeof page,
+             "material a density 1 kn 9\nnormal linear\ndamping %s\ndisc 90 70 radius 1 a\ndisc 3 -2 radius 0.5 a\n"
+             "monitor D disc 2\nregion R all\nstep 0.1\nstage s\naffine strain 0.004 per cycle -0.001 per cycle\n"
+             "cycles 7\nstage t\naffine strain %.17g per cycle %.17g per cycle accumulated\ncycles 9\n",
+             damping, ex, ey);
+    VALUES("carried", page, 1, {"D.x", 3, "cycle", 0}, {"D.x", 3 * pow(1.004, 3), "cycle", 3}, {"D.x", fx, "cycle", 7},
+           {"D.x", accumulated(fx, ex, keep, 1), "cycle", 8}, {"D.x", accumulated(fx, ex, keep, 9), "cycle", 16},
+           {"D.y", -2 * pow(1 - 0.001, 3), "cycle", 3}, {"D.y", accumulated(fy, ey, keep, 5), "cycle", 12});
+  }
+}
+#define APART "material a density 1 kn 9\nnormal linear\ndisc 9 9 radius 1 a\ndisc @\nmonitor D disc 1\nstep 0.1\n"
+static void carried(void) {
+  carried_with("none", 1);
+  carried_with("con1 0.6 as cs79", 0.6 / 1.4);
+  carried_with("con1 0.6 as velocity", 0.6);
+  carried_with("con1 0.7 as all", 0.7);
+  VALUES("carried",
+         "material a density 1 kn 9\nnormal linear\ndisc 3 -2 radius 0.5 a\nmonitor D disc 1\nstep 0.1\nstage s\n"
+         "affine strain 0.004 per cycle -0.001 per cycle\ncycles 7\nstage t\naffine strain 0.02 per cycle -0.03 per "
+         "cycle\n"
+         "cycles 7\n",
+         0, {"D.x", 3 * pow(1.004, 7) * pow(1.02, 5), "cycle", 12},
+         {"D.y", -2 * pow(1 - 0.001, 7) * pow(1 - 0.03, 5), "cycle", 12});
+  VALUES("carried",
+         "material a density 1 kn 9\nnormal linear\ndisc 3 -2 radius 0.5 a\nmonitor D disc 1\nstep 0.1\nstage s\n"
+         "affine strain 0.004 per cycle -0.001 per cycle\ncycles 7\n",
+         0, {"D.x", 3 * pow(1.004, 5), "cycle", 5}, {"D.y", -2 * pow(1 - 0.001, 5), "cycle", 5});
+#define TOUCH "particles that never touch"
+#define AXES                                                                                                           \
+  "an `affine strain` per cycle along the axes in one stage or two, with `accumulated` in the last stage only"
+  PARTS("carried", APART "stage s\naffine strain -0.1 per cycle 0 per cycle\ncycles 2\n", {"6.5 9 radius 1 a", NULL},
+        {"6.54 9 radius 1 a", TOUCH}, {"9 7 radius 1 a", TOUCH}, {"9 6.9 radius 1 a", NULL},
+        {"9 6.9 radius 1.1 a", TOUCH}, {"11.46 9 radius 1 a", TOUCH});
+  PARTS("carried",
+        APART "stage s\naffine strain -0.1 per cycle 0.1 per cycle\ncycles 1\nstage t\n"
+              "affine strain -0.5 per cycle 0 per cycle accumulated\ncycles 3\n",
+        {"3 9 radius 1 a", TOUCH}, {"3 12 radius 1 a", NULL});
+  PARTS("carried",
+        "material a density 1 kn 9\nnormal linear\ndisc 9 9 radius 1 a\nmonitor D disc 1\nstep 0.1\nstage s\n@",
+        {"affine strain 0.1 0\ncycles 1\n", AXES},
+        {"affine strain 0.1 per cycle 0 per cycle c12 0.1 per cycle\ncycles 1\n", AXES},
+        {"affine strain 0.1 per cycle 0 per cycle c21 0.1 per cycle\ncycles 1\n", AXES},
+        {"affine strain 0.1 per cycle 0 per cycle\ncycles 1\nstage t\ncycles 1\n", AXES});
+#undef TOUCH
+#undef AXES
+}
+
+/* Four discs of radius 2 in the direction (3, 4)/5, with the overlap 0.1, so the force is 20 and the walls are 15.4 apart.
+ * The walls do not stand at the ends of the page's order. */
+#define ROW_OF(disc4, walls)                                                                                           \
+  "material m density 1 kn 200\nmaterial o density 1 kn 201\nnormal linear\n"                                          \
+  "disc 1 2 radius 2 m\ndisc (1 + 2.34) (2 + 3.12) radius 2 m\ndisc (1 + 4.68) (2 + 6.24) radius 2 m\n" disc4          \
+  "\n" walls "region R box -3 -2 to 12 16\nregion Q box -3 -2 to 9 16\nregion P box 0.5 -2 to 12 16\nregion C circle " \
+  "1 2 radius 40\n"                                                                                                    \
+  "monitor D disc 1\nstep 0.01\nrecord R.stress.xx\nstage s\ncycles 1\n"
+#define DISC4 "disc (1 + 7.02) (2 + 9.36) radius 2 m"
+/* A wall at the distance d from the first disc along the row, and its direction. */
+#define ACROSS(name, d, ex, ey, of)                                                                                    \
+  "wall " name " (1 + " d "*0.6 - 9*(" ex ")) (2 + " d "*0.8 - 9*(" ey ")) to (1 + " d "*0.6 + 9*(" ex ")) (2 + " d    \
+  "*0.8 + 9*(" ey ")) " of "\n"
+static void force_chain(void) {
+  const double s = 20 * 15.5 / (15 * 18), angle = atan2(4, 3);
+  static const double u[] = {0.36, 0.48, 0.64};
+#define TENSOR(of)                                                                                                     \
+  {"R." of "xx at 0 cycles", s * u[0]}, {"R." of "xy at 0 cycles", s * u[1]}, {"R." of "yy at 0 cycles", s * u[2]},    \
+      {"R." of "mean at 0 cycles", s / 2}, {"R." of "angle at 0 cycles", angle}
+  VALUES("force_chain",
+         ROW_OF(DISC4, ACROSS("top", "13.6", "0.8", "-0.6", "m") ACROSS("low", "-1.9", "0.8", "-0.6", "m")), 1,
+         TENSOR("stress."), TENSOR("stress.contacts."), TENSOR("stress.fabric."), {"R.stress.sinphi at 0 cycles", 1},
+         {"R.stress.fabric.fraction at 0 cycles", 1}, {"R.stress.variation.fraction at 0 cycles", 0},
+         {"R.stress.shear.fraction at 0 cycles", 0}, {"R.fabric.xx at 0 cycles", 0.36},
+         {"R.fabric.xy at 0 cycles", 0.48}, {"R.fabric.yy at 0 cycles", 0.64}, {"R.fabric.anisotropy at 0 cycles", 1},
+         {"R.fabric.fourth.xxxx at 0 cycles", 0.1296}, {"R.coordination at 0 cycles", 2}, {"R.contacts at 0 cycles", 5},
+         {"R.normal.mean at 0 cycles", 20});
+#undef TENSOR
+#define ENDS                                                                                                           \
+  "walls normal to the row, one at each end, that overlap its end discs as much as the discs overlap each other, and " \
+  "are as stiff"
+#define EQUAL "equal discs at equal distances on a straight line"
+#define LOW(d) ACROSS("low", d, "0.8", "-0.6", "m")
+#define TOP(d) ACROSS("top", d, "0.8", "-0.6", "m")
+  PARTS(
+      "force_chain", ROW_OF(DISC4, "@"), {LOW("-1.9") TOP("13.6"), NULL}, {TOP("-1.9") LOW("13.6"), NULL},
+      {LOW("-1.9") ACROSS("top", "13.6", "-0.8", "0.6", "m"), NULL}, {LOW("-1.9") TOP("-1.9"), ENDS},
+      {LOW("13.6") TOP("13.6"), ENDS}, {LOW("-1.9") TOP("(13.6 + 2e-10)"), ENDS},
+      {LOW("-1.9") TOP("(13.6 - 2e-10)"), ENDS}, {LOW("(-1.9 + 2e-10)") TOP("13.6"), ENDS},
+      {LOW("(-1.9 - 2e-10)") TOP("13.6"), ENDS}, {LOW("(-1.9 + 5e-11)") TOP("(13.6 - 5e-11)"), NULL},
+      {LOW("-1.9") ACROSS("top", "13.6", "0.8", "-0.6", "o"), ENDS},
+      {ACROSS("low", "-1.9", "0.8", "-0.6", "o") TOP("13.6"), ENDS},
+      {ACROSS("low", "-1.9", "0.8", "(-0.6 + 1e-10)", "m") TOP("13.6"), ENDS},
+      {LOW("-1.9") "wall top (1 + 13.6*0.6) (2 + 13.6*0.8) to (1 + 13.6*0.6 + 8) (2 + 13.6*0.8 - 6) m\n", ENDS},
+      {LOW("-1.9") "wall top (1 + 13.6*0.6 - 0.8) (2 + 13.6*0.8 + 0.6) to (1 + 13.6*0.6 + 8) (2 + 13.6*0.8 - 6) m\n",
+       NULL},
+      {LOW("-1.9") "wall top (1 + 13.6*0.6 - 8) (2 + 13.6*0.8 + 6) to (1 + 13.6*0.6 - 4) (2 + 13.6*0.8 + 3) m\n", ENDS},
+      {LOW("-1.9"), "a row of discs between two walls"});
+  PARTS("force_chain", ROW_OF("@", ACROSS("low", "-1.9", "0.8", "-0.6", "m") ACROSS("top", "13.6", "0.8", "-0.6", "m")),
+        {"disc (1 + 7.02) (2 + 9.36 + 1e-6) radius 2 m", EQUAL}, {"disc (1 + 7.02) (2 + 9.36) radius 2.1 m", EQUAL},
+        {"disc (1 + 7.02) (2 + 9.36) radius 2 o", EQUAL});
+  PARTS("force_chain",
+        "material m density 1 kn 200\nnormal linear\ndisc 1 2 radius 2 m\ndisc @ 2 radius 2 m\nwall a -1 -9 to -1 9 m\n"
+        "wall b 7 -9 to 7 9 m\nstep 0.01\nstage s\ncycles 1\n",
+        {"5", ENDS});
+#undef ENDS
+#undef EQUAL
+}
+
+/* A sphere of the stiffnesses k_n = 15 and k_s = 6, E* = 8/3 and G* with overlap 0.01 at a wall, which moves past it. */
+#define SLIDES(density, friction, wall, stages)                                                                        \
+  "material g density " density " young 4 poisson 0.25 kn 30 ks 12 friction " friction "\n"                            \
+  "material w kn 10 ks 4 young 4 poisson 0.25 friction 0.9\nnormal linear\nshear linear\nsphere 5 6.99 radius 2 g\n"   \
+  "wall f " wall " w velocity 0.01 0\nmonitor C sphere 1 with wall f\nmonitor D sphere 1\nstep 0.1\n" stages
+static void changed_law(void) {
+  const double kn = 15, overlap = 0.01, end = 1.8, least = kn * overlap * end * end / 2 / (1e-13 * overlap);
+  char page[1024];
+  CU_ASSERT(kn > 4. / 3 * (2 / 0.9375) * sqrt(2 * overlap)); /* the linear spring is the stiffer one */
+  for (int k = 0; k < 2; k++) {
+    snprintf(page, sizeof page, SLIDES("%.17g", "0.8", "-9 5 to 9 5", "stage s\ncycles 10\nstage t\ncycles 8\n"),
+             least / (32 * pi / 3) * (k ? 1.0001 : 0.9999));
+    check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
+  }
+}
+
+/* A disc of mass 5 on a spring of k = 20 falls from the height 1 above the contact with g = 0.5, so w = 2 and it hits the
+ * floor with the speed 1. */
+#define FALLS                                                                                                          \
+  "material m density (5/(4*pi)) kn 30\nmaterial f kn 15\nnormal linear\ngravity 0 %s\ndamping ratio %s\n"             \
+  "disc 7 %s radius 2 m\nwall f 9 3 to 5 3 f\nmonitor D disc 1\nmonitor C disc 1 with wall f\nstep 0.001\nstage s\n"   \
+  "cycles 1\n"
+static double fall(const char *g, const char *ratio, const char *y, const char *name, double t) {
+  struct nb_solution solution;
+  struct nb_error error;
+  char page[1024];
+  snprintf(page, sizeof page, FALLS, g, ratio, y);
+  CU_ASSERT_EQUAL(solve(&solution, "free_fall", page, &error), NB_OK);
+  const struct nb_solution_curve *curve = solution_find_curve(&solution, name, "time");
+  const double *value = solution_find(&solution, name);
+  const double found = curve ? curve->at(curve->data, t) : value ? *value : NAN;
+  solution_free(&solution);
+  return found;
+}
+static void free_fall(void) {
+  const double w = 2, g = 0.5, sag = g / (w * w), touch = 2, v = 1, lasts = 2 / w * (pi - atan(v * w / g));
+  NEAR(fall("-0.5", "0", "6", "D.y", 1), 5.75, 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.vy", 1), -0.5, 1e-12);
+  NEAR(fall("-0.5", "0", "6", "C.overlap max", 0), sag + hypot(sag, v / w), 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.y", touch + lasts / 2), 5 - sag - hypot(sag, v / w), 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.vy", touch + lasts), v, 1e-9);
+  NEAR(fall("-0.5", "0", "6", "D.y", 2 * touch + lasts), 6., 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.y", 5 * (2 * touch + lasts) + 1), 5.75, 1e-12); /* after five bounces */
+  NEAR(fall("0.5", "0", "6", "D.y", 4), 10., 1e-12);                             /* upward */
+  CU_ASSERT(isnan(fall("0.5", "0", "6", "C.overlap max", 0)));
+  NEAR(fall("-0.5", "0", "5", "D.y", pi / w), 5 - 2 * sag, 1e-12); /* it just touches, and does not separate */
+  NEAR(fall("-0.5", "0", "5", "D.y", 2.5 * pi / w), 5 - sag, 1e-12);
+  NEAR(fall("-0.5", "0.9", "5.001", "D.y", 99), 5 - sag, 1e-12);
+  /* With a dashpot of a fifth of the critical damping: the contact by the midpoint rule, from u = 0 with the speed -1. */
+  double u = 0, s = -v, low = 0, t = 0;
+  const double dt = 1e-5, c = 2 * 0.2 * w;
+  while (u <= 0 && t < 9) {
+    const double um = u + dt / 2 * s, sm = s + dt / 2 * (-g - w * w * u - c * s);
+    u += dt * sm, s += dt * (-g - w * w * um - c * sm), t += dt;
+    low = fmin(low, u);
+    if (fabs(t - 0.4) < dt / 2)
+      NEAR(fall("-0.5", "0.2", "6", "D.y", touch + t), 5 + u, 1e-9);
+  }
+  NEAR(fall("-0.5", "0.2", "6", "C.overlap max", 0), -low, 1e-8);
+  NEAR(fall("-0.5", "0.2", "6", "D.vy", touch + t + 0.01), s - g * 0.01, 1e-4);
+  NEAR(fall("-0.5", "0.2", "6", "D.vy", touch + t - 0.01), s + (g + c * s) * 0.01, 1e-3);
+#define KIND "a particle dropped straight down, from rest, above the wall"
+#define ON_FLOOR(gx, y, ratio, wall)                                                                                   \
+  "material m density 1 kn 20\nnormal linear\ngravity " gx " -0.5\ndamping ratio " ratio "\ndisc 7 " y                 \
+  " radius 2 m\nwall f " wall " m\nstep 0.001\nstage s\ncycles 1\n"
+  PARTS("free_fall", "@", {ON_FLOOR("0", "5", "0.5", "9 3 to 5 3"), NULL},
+        {ON_FLOOR("0", "4.999", "0.5", "9 3 to 5 3"), KIND}, {ON_FLOOR("0.1", "6", "0.5", "9 3 to 5 3"), KIND},
+        {ON_FLOOR("-0.1", "6", "0.5", "9 3 to 5 3"), KIND},
+        {ON_FLOOR("0", "6", "1.001", "9 3 to 5 3"), "less than critical damping"},
+        {ON_FLOOR("0", "6", "0.999", "9 3 to 5 3"), NULL},
+        {ON_FLOOR("0", "6", "0.5", "6.99 3 to -9 3"), "a wall below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "7.01 3 to -9 3"), NULL},
+        {ON_FLOOR("0", "6", "0.5", "7.01 3 to 20 3"), "a wall below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "6.99 3 to 20 3"), NULL});
+#undef KIND
+}
+
+/* Two discs of radius 1 and three of radius 0.5 in a box. */
+#define FILLED(more)                                                                                                   \
+  "material m density 1 kn 9\nnormal linear\ngrading g 1 2 0.5 3\n" more                                               \
+  "fill discs box 1 2 to 11 8 g m seed 3 attempts 999 else stop\nmonitor S grading g radius 0.5\nmonitor G grading "   \
+  "g\n"                                                                                                                \
+  "monitor D disc 1\nregion R box 1 2 to 11 8\nregion X box 1.1 2 to 11 8\nregion Y box 1 2.1 to 11 8\n"               \
+  "region XX box 0 2 to 12 8\nregion YY box 1 1 to 11 9\nregion C circle 6 5 radius 5\n"                               \
+  "step 1\nrecord R.porosity\nstage s\ncycles 1\n"
+static void filling(void) {
+  VALUES(
+      "filling",
+      "material m density 1 kn 9\nnormal linear\ngrading g 1 1\nfill discs circle 3 4 radius 5 g m seed 3 attempts 9 "
+      "else stop\nregion C circle 3 4 radius 5\nregion X circle 3.1 4 radius 5\nregion Y circle 3 4.1 radius 5\n"
+      "region R circle 3 4 radius 5.1\nregion B box -2 -1 to 8 9\nstep 1\nrecord C.porosity\nstage s\ncycles 1\n",
+      0, {"C.porosity", 1 - 1. / 25});
+  PARTS(
+      "filling", "@", {FILLED(""), NULL}, {FILLED("disc 90 90 radius 1 m\n"), "one `fill` and no other particles"},
+      {FILLED("fill discs box 20 2 to 30 8 g m seed 4 attempts 999 else stop\n"), "one `fill` and no other particles"});
+  struct words page = {0};
+  struct written it;
+  struct refs_scene scene;
+  words_add(&page, "units none\n" FILLED(""));
+  written_scene(&it, &page);
+  scene.scene = it.scene;
+  double gap = INFINITY;
+  for (int i = 0; i < 5; i++)
+    for (int j = 0; j < 5; j++) {
+      const struct nb_particle *a = &it.scene.particles[i], *b = &it.scene.particles[j];
+      gap = i == j ? gap : fmin(gap, sqrt(pow(a->x - b->x, 2) + pow(a->y - b->y, 2)) - (a->radius + b->radius));
+    }
+  VALUES("filling", FILLED(""), 0, {"S.wanted", 3}, {"S.placed", 3}, {"S.dropped", 0}, {"G.wanted", 5}, {"G.placed", 5},
+         {"G.dropped", 0}, {"R.porosity", 1 - 2.75 * pi / 60}, {"gap", gap});
+  it.scene.particle_count = 2;
+  it.scene.fills[0].count = 2;
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("filling", &scene);
+  const struct nb_particle *a = &it.scene.particles[0], *b = &it.scene.particles[1];
+  REFS_NEAR(refs_value(&solution, "gap"), hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius, 1e-12, 1.);
+  solution_free(&solution);
+  written_free(&it);
+}
+
+void suite_refs_values(void) {
+  CU_pSuite suite = CU_add_suite("refs_values", NULL, NULL);
+  CU_ADD_TEST(suite, centripetal);
+  CU_ADD_TEST(suite, cohesion);
+  CU_ADD_TEST(suite, fracc);
+  CU_ADD_TEST(suite, fracc_touch);
+  CU_ADD_TEST(suite, changed_law);
+  CU_ADD_TEST(suite, boxed_lattice);
+  CU_ADD_TEST(suite, carried);
+  CU_ADD_TEST(suite, force_chain);
+  CU_ADD_TEST(suite, free_fall);
+  CU_ADD_TEST(suite, filling);
+}
