@@ -218,4 +218,78 @@ done
 echo "confined by $ran of 2 ways" >said
 test $ran -gt 0 || test -z "${NINEBALL_CONFINE_REQUIRED:-}"
 result $? "$ran of 2 methods of confinement were tested"
+
+# ---- what the confined program gets ----
+
+# Instead of gnuplot a script is run that prints its limits, files and environment. File sizes are in blocks of 512 bytes, memory in
+# KiB. The alarm clock of a process goes on when it executes another
+# program.
+mkdir bin
+cat >bin/gnuplot <<'EOF2'
+#!/bin/sh
+exec >&2
+echo "processor $(ulimit -t) s, files $(ulimit -f), memory $(ulimit -v), core $(ulimit -c)"
+for file in 0 5; do test -e /proc/$$/fd/$file && echo "file $file is open"; done
+echo "$PATH $HOME $LC_ALL ${USER_SECRET-no secret}"
+pwd | sed 's,.*/,,'
+for word in "$@"; do echo "[$word]"; done
+test -x /usr/bin/perl && exec /usr/bin/perl -e 'my $s = alarm(0); print $s >= 295 && $s <= 300 ? "alarm\n" : "alarm after $s\n"; exit 3'
+echo alarm
+exit 3
+EOF2
+chmod +x bin/gnuplot
+USER_SECRET=x PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o given --trust >out.txt 2>said 5</dev/null
+test $? -eq 2 && diff -u - said >why <<'EOF2'
+processor 120 s, files 409600, memory 4194304, core 0
+/usr/bin:/bin /nonexistent C.UTF-8 no secret
+given
+[-d]
+[-e]
+[terminal = "svg font 'sans,13' background 'white'"; set terminal svg font 'sans,13' background 'white' size 840,560]
+[./nothing.gp]
+alarm
+nineball: gnuplot refused given/nothing.gp: alarm
+EOF2
+status=$?
+why=why
+result $status 'limits, environment and arguments of the program'
+cat >bin/bwrap <<'EOF2'
+#!/bin/sh
+for word in "$@"; do test "$word" = --version && exit 0; done
+exec >&2
+echo "$@"
+exit 3
+EOF2
+chmod +x bin/bwrap
+PATH=$work/bin:$PATH NINEBALL_CONFINE=bwrap "$nineball" figure cases/nothing.md -o given >out.txt 2>said
+plots=$(sed -n "s/^plots = '\(.*\)'$/\1/p" given/nothing.gp)
+{
+  printf '%s' '--unshare-all --die-with-parent --new-session --cap-drop ALL'
+  for path in /lib /lib64 /usr/lib /usr/lib64 /usr/local/lib /etc/ld.so.cache /etc/fonts /usr/share/fontconfig /usr/share/fonts \
+    /usr/local/share/fonts /usr/share/gnuplot /usr/share/libthai /usr/share/locale /usr/share/pandoc /var/cache/fontconfig \
+    "$work/bin/gnuplot" "$plots"; do
+    printf ' --ro-bind-try %s %s' "$path" "$path"
+  done
+  echo " --ro-bind-try $work/given/./nothing.gp /figure/./nothing.gp --chdir /figure -- $work/bin/gnuplot -d -e terminal = "
+} >wanted
+sed -n '1s/\(-e terminal = \).*/\1/p' said | diff -u wanted - >why
+result $? 'the folders that bubblewrap binds'
+rm bin/bwrap
+PATH=$work/bin NINEBALL_CONFINE=bwrap "$nineball" figure cases/nothing.md -o given >out.txt 2>said
+test $? -eq 2 && grep -qxF "nineball: gnuplot cannot be confined here (Landlock: not requested; bwrap: not installed (its package is bubblewrap)), and the page's gnuplot block could do whatever you can; if you trust the page, give --trust" said
+status=$?
+cp said why
+result $status 'without bubblewrap: the whole message'
+printf '#!/bin/sh\nexit 1\n' >bin/bwrap
+chmod +x bin/bwrap
+PATH=$work/bin NINEBALL_CONFINE=bwrap "$nineball" figure cases/nothing.md -o given >out.txt 2>said
+test $? -eq 2 && grep -qF '(Landlock: not requested; bwrap: it cannot make a namespace here), and' said
+status=$?
+cp said why
+result $status 'bubblewrap that does not work: the message'
+PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o given >out.txt 2>said
+test $? -eq 2 && grep -qF '(Landlock: not requested; bwrap: not requested), and' said
+status=$?
+cp said why
+result $status 'no confinement: the message'
 echo "1..$n"

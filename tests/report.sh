@@ -194,6 +194,21 @@ run 0 report two/README.md -o both && ls both/files >"$why" && test "$(wc -l <"$
   cmp -s two/a/sub/data.tsv both/files/sub-data.tsv.txt && cmp -s two/b/sub/data.tsv both/files/[0-9]*-sub-data.tsv.txt &&
   cmp -s two/a/sub/p.svg both/files/sub-p.svg && cmp -s two/b/sub/p.svg both/files/[0-9]*-sub-p.svg
 result $? 'report: files of the same name in different folders'
+# Pictures by their ending, and texts, which have no zero byte, of at most 300000 bytes are copied. A text gets the ending .txt.
+mkdir -p linked/in
+for name in a.svg b.png c.jpg d.jpeg e.gif f.webp g.bin; do printf 'x\0' >linked/in/$name; done
+echo text >linked/in/h.bin
+head -c 300000 /dev/zero | tr '\0' x >linked/in/most.txt
+{ cat linked/in/most.txt && printf x; } >linked/in/more.txt
+{
+  printf '# Links\n\n```text\n[no](in/h.bin)\n```\n\n'
+  for file in linked/in/*; do printf '[link](in/%s#part "a title") and [again](in/%s)\n' "${file##*/}" "${file##*/}"; done
+} >linked/README.md
+run 0 report linked/README.md -o linked-site && ls linked-site/files | tr '\n' ' ' >given
+printf 'in-a.svg in-b.png in-c.jpg in-d.jpeg in-e.gif in-f.webp in-h.bin.txt in-most.txt.txt ' | diff - given >"$why" &&
+  test "$(grep -o 'href="files/in-[^"]*"' linked-site/index.html | sed 's/.*in-\(.*\)"/\1/' | tr '\n' ' ')" = \
+    'a.svg#part a.svg b.png#part b.png c.jpg#part c.jpg d.jpeg#part d.jpeg e.gif#part e.gif f.webp#part f.webp h.bin.txt h.bin.txt most.txt.txt most.txt.txt '
+result $? 'report: the kinds and the largest size of files that are copied'
 run 0 report site/README.md site/first.md site/second.md -o made --trust && grep -q 'files/.*-secret.c.txt' made/index.html
 result $? 'report --trust copies any file to which a page links'
 grep -q '<math.*<msqrt>' made/first/index.html && grep -q '<h1 [^>]*>First &amp; &lt;last&gt;</h1>\|<h1 [^>]*>First &amp;' made/first/index.html &&
