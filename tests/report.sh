@@ -423,13 +423,16 @@ result $? 'report: the whole index and the pages: passed, failed, invalid, abort
 site_page 'Short' "$(seq -s ' ' 20)" 'D.y expected 1 within 0 [2 - 1]' >short.md
 site_page 'Long' "$(seq -s ' ' 21)" 'D.y expected 1 within 0 [2 - 1]' >long.md
 site_page 'Failed' "$(seq -s ' ' 21)" 'D.x below 22' >failed.md
-run 1 report short.md long.md failed.md -o lists
+run 1 report short.md long.md failed.md "$pages/../../cases/5-numerics/order.md" -o lists
 grep -o '<details.*Results: [^,]*, [^,]*' lists/short/index.html lists/long/index.html lists/failed/index.html | diff -u - /dev/fd/3 >"$why" 3<<'END'
 lists/short/index.html:<details open><summary>Results: 20 checks, 0 failed
 lists/long/index.html:<details><summary>Results: 21 checks, 0 failed
 lists/failed/index.html:<details open><summary>Results: 21 checks, 1 failed
 END
 result $? 'report: a long list without failures is folded'
+grep -q '^<tr><td class="pass">pass</td><td>D.x order 2 in h within 0.003<br><small>errors [0-9.e-]* at h = 0.002, [0-9.e-]* at .*</small></td><td colspan="4"><svg ' \
+  lists/order/index.html
+result $? 'report: the part of a message behind the tolerance'
 # A table of 100000 bytes is kept, one of 100001 is not: a longer name of the page makes the first lines of its table longer.
 site_page 'Rows' 1 'cycle above 1' | sed 's/^record .*/record cycle/; s/^stage .*/stage s/; s/^cycles .*/cycles 13875/; /^sweep/d; s/\$v/1/' >k.md
 run 0 run k.md -o kept
