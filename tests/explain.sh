@@ -345,8 +345,9 @@ record every 100 cycles
 cycles $n
 ```
 END
-"$nineball" explain timed.md >out 2>"$why" && "$nineball" run timed.md -o timed --jobs 1 >ran 2>>"$why"
-awk '
+for try in 1 2 3; do # a busy machine may count too much time
+  "$nineball" explain timed.md >out 2>"$why" && "$nineball" run timed.md -o timed --jobs 1 >ran 2>>"$why"
+  awk '
   function differs(a, b) { return a > 1.015*b || b > 1.015*a }
   FNR == NR && /^  [0-9]* cycles, .* s$/ { cycles = $1; seconds = $(NF - 1); updates = $3; all_cycles += $1; all += seconds; all_updates += updates; runs++ }
   FNR == NR && /^all 2 runs$/ { sum = runs; expected = all; wanted = all_cycles; most = all_updates }
@@ -354,7 +355,9 @@ awk '
     bad += differs(seconds, cycles*$6/1e6 + $(NF - 1)) || !($(NF - 1) > 0 && $(NF - 1) < seconds) || cycles != (++shown == 1 ? 20000 : 50000) || differs(updates, 180*cycles) }
   FNR != NR && / cycles, / { took = $(NF - 1); bad += $1 != wanted }
   END { bad += sum != 2 || runs != 3 || all_cycles != 140000 || differs(seconds, expected) || differs(updates, most) || took > 5*seconds || seconds > 5*took; exit !!bad }' out ran
-status=$?
+  status=$?
+  test $status -eq 0 && break
+done
 cat out ran >"$why"
 result $status 'the expected time of two runs'
 echo "1..$n"
