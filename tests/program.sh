@@ -555,7 +555,9 @@ said "$work"
 verdict 'a missing page, a folder as a page'
 
 run 2 check --frobnicate "$pages/passes.md"
-said 'see nineball --help'
+grep -qx 'nineball: see nineball --help' said || echo 'no reference to --help' >>why
+run 0 -h
+out 'usage: nineball COMMAND'
 run 2 check --threads many "$pages/passes.md"
 said 'found `many`'
 run 2 check --threads 0 "$pages/passes.md"
@@ -810,7 +812,7 @@ out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
 out '    line 15: xx +0.0001 per cycle: extension in x; yy -0.0001 per cycle: compression in y'
 printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\nperiodic cell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
 run 0 explain half.md
-out 'half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 1 s`'
+out '    line 10: `cell.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 1 s`'
 sed 's/^until .*/until cell.strain.xx below -10 % at most 9 cycles/' half.md >half-no-shear.md
 run 0 explain half-no-shear.md
 grep -q 'half the engineering' out && echo 'a condition on the component xx is called one on a shear strain' >>why
@@ -1269,7 +1271,7 @@ verdict 'a full disk: status 2, and the old tables stay'
 if test -w /dev/full; then
   "$nineball" list >/dev/full 2>said
   test $? -eq 2 || echo 'the status is not 2' >>why
-  said 'the output could not be written'
+  said 'nineball: the output could not be written'
   "$nineball" check "$pages/passes.md" >/dev/full 2>said
   test $? -eq 2 || echo 'the status of check is not 2' >>why
   verdict 'standard output on a full disk: status 2'
@@ -1321,9 +1323,7 @@ if command -v gnuplot >/dev/null; then
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
   said 'no column with header "D.y/-" (line 23 of the page)'
-  said 'the name of a column ends with its unit, or with `/-`: `A.x/m`, `M.porosity/-`'
-  said 'the data are `$table`, with a sweep `$table_1`'
-  said 'the columns of `$table` are `stage`, `time/-`, `D.x/-`, `step/-`'
+  said '; the name of a column ends with its unit, or with `/-`: `A.x/m`, `M.porosity/-`; the data are `$table`, with a sweep `$table_1`, `$table_2`, …: see `nineball --help gnuplot`; the columns of `$table` are `stage`, `time/-`, `D.x/-`, `step/-`'
   absent lacks/lacks.svg
   sed "s|^plot .*|&, \$values using 'D.y/m':'D.y/-'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
@@ -1331,7 +1331,13 @@ if command -v gnuplot >/dev/null; then
   verdict 'a figure with a missing column'
   sed "s|^plot .*|plot 'table.tsv'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
-  said 'the data are `$table`, with a sweep `$table_1`'
+  said '; the data are `$table`, with a sweep `$table_1`, `$table_2`, …, and `$values`, one row for each run, whose columns have names: see `nineball --help gnuplot`'
+  sed "s|^plot .*|plot \$nothing|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said '; the data are `$table`'
+  sed "s|^plot .*|plot x*undefined|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said '; the data are `$table`'
   sed "s|^plot .*|set titel 'x'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   grep -q 'the data are' said && echo 'a mistake without data has the hint about data' >>why
@@ -1387,6 +1393,12 @@ if command -v gnuplot >/dev/null; then
   ! grep -q "^x${long}_x = " drawn/long.gp || echo 'a name of 50 characters has a variable' >>why
   verdict 'variables with names that gnuplot would cut are left out'
 fi
+
+mkdir alone && cp "$nineball" alone/nineball
+alone/nineball figure "$pages/passes.md" -o drawn >out 2>said
+test $? -eq 2 || echo 'another status than 2' >>why
+grep -q '^nineball: the style of figures, plots/style.gp, is neither beside the program nor in /.*/nineball/plots$' said || echo 'another message' >>why
+verdict 'a program without the style of figures'
 
 run 0 figure "$pages/swept.md" -o drawn
 out 'has no `gnuplot` block'

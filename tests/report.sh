@@ -55,7 +55,7 @@ sed 's/^# .*/# First/' "$pages/asks-nothing.md" >two/here/first.md
 sed 's/^# .*/# Second/' "$pages/asks-nothing.md" >two/there/second.md
 run 2 report two/here/first.md two/there/second.md -o folders &&
   test "$(grep -o '<th colspan="4">[a-z]*</th>' folders/index.html | tr -d '\n')" = '<th colspan="4">here</th><th colspan="4">there</th>' &&
-  grep -q '<script defer src="report.js"></script>' folders/index.html
+  grep -q '<script defer src="report.js"></script>' folders/index.html && grep -qx '<h1>nineball report</h1>' folders/index.html
 result $? 'the index has the pages of each folder under its name, and its script'
 
 # ---- existing files ----
@@ -102,13 +102,13 @@ result $? 'a limit of the size of files: status 2, and no temporary file stays'
 mkdir -p dots/.hidden mixture/own
 for name in . ..; do
   cp one/page.md "dots/$name.md"
-  run 2 report "dots/$name.md" -o dots/new && said "dots/$name.md has no name" && cmp -s one/page.md "dots/$name.md" && test ! -e dots/index.html
+  run 2 report "dots/$name.md" -o dots/new && said "dots/$name.md has no name that an output folder can have: rename it" && cmp -s one/page.md "dots/$name.md" && test ! -e dots/index.html
   result $? "report: a page with the name $name"
 done
 cp one/page.md mixture/own/README.md
 echo mine >mixture/own/own.md
 head -c 200000 /dev/zero >mixture/own/data.tsv
-run 2 report mixture/own/README.md -o mixture && said 'mixture/own of mixture/own/README.md is a folder of pages' && test "$(cat mixture/own/own.md)" = mine
+run 2 report mixture/own/README.md -o mixture && said 'the output folder mixture/own of mixture/own/README.md is a folder of pages, whose files would be overwritten: choose another folder with -o' && test "$(cat mixture/own/own.md)" = mine
 result $? 'report: the folder of a page is not its output folder'
 cp one/page.md mixture/README.md
 mkdir mixture/mixture && mv mixture/own/data.tsv mixture/mixture
@@ -156,7 +156,7 @@ run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pag
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv
 result $? 'report: the status is the worst of all pages'
 mkdir -p blocked/passes/table.tsv
-run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
+run 2 report "$pages/passes.md" -o blocked && grep -qx 'passes *1 checks, 0 failed; no tables' "$why" && grep -q 'no tables' blocked/index.html
 result $? 'report: tables that cannot be written are status 2'
 
 # ---- the site ----
@@ -222,7 +222,7 @@ run 0 report site/first.md --unrun site/second.md -o unrun && grep -q 'not run' 
 result $? 'report: a page that is not run says how to run it'
 run 2 report site/first.md other/../site/first.md -o unrun && said 'have the same name'
 result $? 'report: a page that is given twice'
-PATH=$work/none run 2 report site/first.md -o without && said 'needs pandoc' && test ! -e without
+PATH=$work/none run 2 report site/first.md -o without && said 'nineball: a report needs pandoc, which was not found (its package is pandoc)' && test ! -e without
 result $? 'report: without pandoc nothing is run'
 sed 's/^cycles .*/cycles 40000/' "$pages/passes.md" >long.md
 run 1 report long.md -o long && test ! -e long/long/table.tsv && test ! -e long/long/long.gp && test -e long/long/values.tsv &&
@@ -455,17 +455,70 @@ if command -v gnuplot >/dev/null; then
   result $? 'report: the largest drawing that is kept'
 fi
 
+# ---- pandoc: a script in its place ----
+
+mkdir -p scripts typeset
+cat >scripts/pandoc <<'END'
+#!/bin/sh
+{
+  for word in "$@"; do echo "[$word]" | sed 's,\(--lua-filter=\)/.*/,\1,'; done
+  pwd | sed 's,.*/,,'
+  echo '[WARNING] The term Abstract has no translation defined.'
+  echo 'Could not load translations for en'
+} >&2
+echo '<p>before</p>'
+echo '<!--nineball: checks--> <!-- -->'
+echo '<p>behind</p>'
+test ! -e fails
+END
+chmod +x scripts/pandoc
+sed '/^```gnuplot/,/^```$/d' "$pages/passes.md" >typeset/first.md
+sed 's/^# .*/# Second\n\n[a](data.tsv) [b](first.md)\n/' typeset/first.md >typeset/second.md
+echo 1 >typeset/data.tsv
+typeset() { PATH=$work/scripts:$PATH NINEBALL_CONFINE=none "$nineball" report typeset/first.md typeset/second.md -o typeset-site >out 2>given; }
+typeset && sed '1,/first.md: warning: pandoc: typeset$/d' given | diff -u /dev/fd/3 - >"$why" 3<<'END'
+typeset/second.md: warning: pandoc: [--sandbox]
+typeset/second.md: warning: pandoc: [--from=gfm+tex_math_dollars]
+typeset/second.md: warning: pandoc: [--to=html5]
+typeset/second.md: warning: pandoc: [--mathml]
+typeset/second.md: warning: pandoc: [--lua-filter=report.lua]
+typeset/second.md: warning: pandoc: [-M]
+typeset/second.md: warning: pandoc: [links=data.tsv	../files/typeset-data.tsv.txt		
+typeset/second.md: warning: pandoc: first.md	../first/index.html	pass	
+typeset/second.md: warning: pandoc: ]
+typeset/second.md: warning: pandoc: [-M]
+typeset/second.md: warning: pandoc: [figure=]
+typeset/second.md: warning: pandoc: [./second.md]
+typeset/second.md: warning: pandoc: typeset
+END
+result $? 'report: the arguments and the messages of pandoc'
+sed -n '/<main>/,/<p>Cost/p' typeset-site/second/index.html | grep -v '<t[rdh]\|^<table\|<p>Cost' | diff -u /dev/fd/3 - >"$why" 3<<'END'
+<main>
+<p class="pass">1 check passed</p>
+<p>before</p>
+<details open><summary>Results: 1 checks, 0 failed, 0 noted, 0 skipped</summary>
+</tbody></table></details>
+<p>behind</p>
+END
+result $? 'report: the results are where the filter wants them'
+: >typeset/fails
+typeset
+test $? -eq 2 && cp given "$why" && grep -qx 'nineball: pandoc refused typeset/second.md: typeset' given &&
+  grep -qx '<p class="fail">pandoc refused typeset/second.md: typeset</p>' typeset-site/second/index.html &&
+  grep -q '<details open>' typeset-site/second/index.html && grep -qx 'first *1 checks, 0 failed; no figure' out
+result $? 'report: a page that pandoc refuses'
+
 if command -v gnuplot >/dev/null; then
   sed 's/^plot .*/plot $nothing/' "$pages/passes.md" >broken.md
-  run 2 report broken.md -o some && said 'no datablock named $nothing' && said 'no figure' &&
+  run 2 report broken.md -o some && said 'no datablock named $nothing' && grep -qx 'broken *1 checks, 0 failed; no figure' "$why" &&
     grep -q 'no datablock named' some/broken/index.html && test ! -e some/broken/broken.svg
   result $? 'report: a figure that cannot be drawn is status 2, and says why'
   sed 's/^plot .*//' "$pages/passes.md" >empty.md
-  run 2 figure empty.md -o some && said 'draws nothing'
+  run 2 figure empty.md -o some && said 'nineball: some/empty.gp draws nothing'
   result $? 'figure: a block that draws nothing is status 2'
   printf '\n```gnuplot\nplot $table using "cycle/-":"D.x/-" with points\n```\n' | cat "$pages/never-ends.md" - >stopped.md
   run 3 figure stopped.md -o some && said 'look at some/stopped.svg, up to where the run was stopped' &&
-    grep -q INCOMPLETE some/stopped.svg
+    grep -q INCOMPLETE some/stopped.svg && grep -qxF "set label 9999 'INCOMPLETE: the run was stopped' at screen 0.99, screen 0.98 right noenhanced front tc rgb '#a3123a'" some/stopped.gp
   result $? 'figure: an aborted run is drawn, and the figure says so'
   printf '\n```gnuplot\nplot $table using "time/-":"D.x/-" with points\n```\n' | cat "$pages/fails.md" - >failed.md
   run 0 figure failed.md -o some && said 'look at some/failed.svg' && ! said 'up to where' &&

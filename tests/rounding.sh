@@ -52,7 +52,7 @@ sed -n '/bits that do not depend/,$p' "$why" | grep -q '^    53  A.x expected 51
 result $? 'an expectation is printed without its comment'
 
 run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >parts &&
-  grep -q 'bits of: B.x expected 1441.6 within 1e-9 .v t.$' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
+  grep -qx '  with one part of the cycle rounded up and down, bits of: B.x expected 1441.6 within 1e-9 .v t.' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
   test "$(sed 's/^ *[0-9]*  //' parts | sort | uniq -d | wc -l)" -eq 0
 result $? 'parts of the cycle'
 sed 's/^stage s/boundary circle 0 0 radius 9000\nstage s/' free.md >ring.md
@@ -95,6 +95,10 @@ result $? 'a mistake in the page'
 sed 's/^disc 8 100 .*/disc 1000 0 radius 1 a velocity -0.25 0/; s/cycles 4096/cycles 9000/; s/^step 0.5/step 8/; s/^units none/units none\nallow unstable/' free.md >broken.md
 run 3 check broken.md --rounding all && ! said 'bits that'
 result $? 'a run that is aborted'
+# The disc ends at 1441.6 - 4e-14 if rounded to nearest, and beyond the position below which the stage ends if rounded up.
+sed 's/^cycles 4096/cycles 4095\nstage t\nuntil B.x below 1441.59999999995 at most 1 cycles/; /^A.x expected/d; /^B.x expected/d' free.md >up.md
+run 3 check up.md --rounding all && said 'nineball: with rounding up:' && said 'up.md: run aborted: stage `t` (line ' && ! said 'bits that' && ! said 'rounding down'
+result $? 'a run that is aborted in one mode'
 
 # ---- docs/rounding.sh, which writes docs/ROUNDING.md ----
 
