@@ -642,7 +642,7 @@ $ --help below
           energy.kinetic in part  below  1 MJ
   
 = 0
-$ --help quantities | head -n 8
+$ --help quantities | sed -n '1,8p'
     Quantities for `record`, `until` and expectations, by families. `nineball --help quantities
     FAMILY` describes each quantity of a family, such as `nineball --help quantities stress`.
   
@@ -652,7 +652,7 @@ $ --help quantities | head -n 8
           stage: .time
           contacts, .deep: number of contacts with an overlap
 = 0
-$ --help scene | head -n 12
+$ --help scene | sed -n '1,12p'
   
   Words
   
@@ -666,7 +666,7 @@ $ --help scene | head -n 12
     `without it` gives the default; an argument without default is required, unless `|` in the syntax
     makes it one of several. `$NAME` stands for the value that a line `let` or `sweep` above gives to
 = 0
-$ --help units | head -n 12
+$ --help units | sed -n '1,12p'
     units none|si
         Whether numbers have units. With `si`, the default, each number that has a dimension has a
         unit. With `none` all numbers are written without a unit, in consistent units such as those of
@@ -680,7 +680,7 @@ $ --help units | head -n 12
   Numbers, units and expressions
   
 = 0
-$ --help expect | head -n 30
+$ --help expect | sed -n '1,30p'
   
   Expectations
   
@@ -712,7 +712,7 @@ $ --help expect | head -n 30
         Writes the measure to values.tsv and to the verdict, and checks nothing.
   
 = 0
-$ --help contact-test | head -n 20
+$ --help contact-test | sed -n '1,20p'
   
   Contact test
   
@@ -794,7 +794,7 @@ $ laws | sed -n '/mindlin_deresiewicz  /,/history/p; /^normal  linear/,/history/
   with the stiffnesses a and b has 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives
   another stiffness.
 = 0
-$ list | head -n 1
+$ list | sed -n 1p
   references, for `reference NAME` in a page:
 = 0
 $ advise good.md
@@ -899,7 +899,7 @@ $ advise --all empty.md -o all
 $ advise noted.md --within '1 %'
 ! noted.md: error: the page has no expectation of a single value: name a quantity that it records, by --quantity
 = 2
-$ advise first.md --within '1 %' 2>&1 | head -n 1
+$ advise first.md --within '1 %' 2>&1 | sed -n 1p
   first: D.x max within 1 %
 = 0
 $ advise --all noted.md -o all

@@ -72,27 +72,19 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
   }
 }
 
-/* Prints a text without `#`, which would begin a directive of TAP. */
-static void tap_text(const char *words) {
-  static const struct nb_escape list[] = {{'#', " "}, {0, NULL}};
-  nb_print_escaped(stdout, words, list);
-}
-
 void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   const size_t count = outcome->check_count;
   const bool stopped = outcome->status > NB_FAILED;
   printf("1..%zu\n", count + stopped);
   for (size_t k = 0; k < count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    printf("%s %zu - ", check->mark == NB_FAIL ? "not ok" : "ok", k + 1);
-    tap_text(check->label);
+    /* neither has a `#`, which would begin a directive of TAP, because a `#` begins a comment in a page */
+    printf("%s %zu - %s", check->mark == NB_FAIL ? "not ok" : "ok", k + 1, check->label);
     if (check->mark == NB_NOTE)
       fputs(" # SKIP noted, not checked", stdout);
     if (check->mark == NB_SKIP)
-      fputs(" # SKIP ", stdout), tap_text(check->message);
-    printf("\n# line %d: ", check->line);
-    tap_text(check->message);
-    putchar('\n');
+      printf(" # SKIP %s", check->message);
+    printf("\n# line %d: %s\n", check->line, check->message);
   }
   if (stopped) {
     printf("not ok %zu - %s %s\n# ", count + 1, path,
