@@ -37,7 +37,8 @@ enum nb_status single_read(struct single *single, const struct nb_scene *scene, 
     return refuse(error, "a wall along x, below the particle");
   const double m = matter_mass(scene, particle);
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
-  const double critical = 2 * sqrt(m / pair.kn);
+  /* of the stiffest pair of materials: with the wall, or of two such particles [CS79, Motion] */
+  const double critical = 2 * sqrt(m / fmax(pair.kn, matter_pair(scene, particle->material, particle->material).kn));
   *single = (struct single){
       .m = m,
       .q = m * particle->radius * particle->radius / matter_inertia(scene, particle),
