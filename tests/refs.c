@@ -157,6 +157,14 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal hertz\nsphere 0 0 radius 1 a velocity 0.1 0\nsphere 2 0 radius 0.9 a\nmonitor D sphere 2\n"
        "step 0.1 of rayleigh\nrecord D.vx\nstage s\ncycles 1\n",
        NULL, "D.vx"},
+      {"rayleigh_step",
+       "normal hertz\nsphere 0 0 radius 1 a velocity -0.1 0\nsphere 2 0 radius 1 a\nmonitor D sphere 2\n"
+       "step 0.1 of rayleigh\nrecord D.vx\nstage s\ncycles 1\n",
+       NULL, "D.vx"},
+      {"rayleigh_step",
+       "normal hertz\nsphere 0 0 radius 1 a velocity 0.1 0\nsphere 2 0.1 radius 1 a\nmonitor D sphere 2\n"
+       "step 0.1 of rayleigh\nrecord D.vx\nstage s\ncycles 1\n",
+       NULL, "D.vx"},
       {"filling",
        "normal linear\ngrading g 1 5\nfill discs box -9 -9 to 9 9 g a seed 1 attempts 99 else stop\n"
        "region R box -8 -8 to 8 8\nstep 1\nrecord R.porosity\nstage s\ncycles 1\n",
@@ -392,6 +400,49 @@ static void a_step_relative_to_a_single_contact(void) {
   written_free(&it);
 }
 
+/* A disc on a plane with mu = 0.25, so that it slides where p > 3 mu n = 0.75 n, with the gravity p along the plane and n
+ * into it. With n = 4 the edge is p = 3. */
+static void planes_on_which_a_disc_rolls_again_are_refused(void) {
+  static const struct {
+    const char *stages; /* after a first stage with p = 1 */
+    bool covered;
+  } rows[] = {
+      {"stage s\ngravity 3.01 -4\ncycles 9\nstage t\ngravity 3.02 -4\ncycles 9\n", true},
+      {"stage s\ngravity 3.01 -4\ncycles 9\nstage t\ngravity 2.99 -4\ncycles 9\n", false},
+      {"stage s\nramp gravity 3.01 -4\ncycles 9\nstage t\nramp gravity 3.02 -4\ncycles 9\n", true},
+      {"stage s\nramp gravity 3.01 -4\ncycles 9\nstage t\nramp gravity 2.99 -4\ncycles 9\n", false},
+      {"stage s\nramp gravity 3.01 -4\ncycles 9\nstage t\nramp gravity 3.01 -4.02\ncycles 9\n", false},
+      {"stage s\nramp gravity 2.99 -4\ncycles 9\nstage t\nramp gravity 1 -4\ncycles 9\n", true},
+      {"stage s\ngravity 3.01 -4\ncycles 9\nstage t\nramp gravity 2.99 -4\ncycles 9\n", false},
+      {"stage s\ngravity -2.99 -4\ncycles 9\n", true},
+      {"stage s\ngravity -3.01 -4\ncycles 9\n", false},
+      {"stage s\nramp gravity -2.99 -4\ncycles 9\n", true},
+      {"stage s\nramp gravity -3.01 -4\ncycles 9\n", false},
+      {"stage s\ngravity -3.01 -4\ncycles 9\nstage t\nramp gravity 1 -4\ncycles 9\n", false},
+  };
+  const size_t tried = sizeof rows / sizeof *rows;
+  for (size_t k = 0; k < tried + 2; k++) { /* the last two: 32 and 33 stages */
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page, "units none\nmaterial a density 1 kn 1e4 ks 1e4 friction 0.25\nnormal linear\nshear linear\n"
+                     "gravity 1 -4\ndisc 0 1 radius 1 a\nwall w -9 0 to 9 0 a\nmonitor D disc 1\nstep 0.001\n"
+                     "record D.vx\nstage first\ncycles 9\n");
+    for (size_t s = 0; k >= tried && s < 31 + k - tried; s++)
+      words_add(&page, "stage s%zu\ncycles 9\n", s);
+    words_add(&page, "%s", k < tried ? rows[k].stages : "");
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    if (k < tried ? rows[k].covered : k == tried) {
+      struct nb_solution solution = refs_solution("incline", &scene);
+      solution_free(&solution);
+    } else {
+      CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("incline", &scene).text, "up to 32 stages, and a particle that "));
+    }
+    written_free(&it);
+  }
+}
+
 /* A grading of three discs and two smaller ones: a monitor of one size counts that size only. */
 static void a_filling_counts_each_size(void) {
   struct words page = {0};
@@ -577,5 +628,6 @@ void suite_refs(void) {
   CU_ADD_TEST(suite, means_of_an_assembly_with_two_sizes);
   CU_ADD_TEST(suite, rebound_without_energy_from_outside);
   CU_ADD_TEST(suite, a_step_relative_to_a_single_contact);
+  CU_ADD_TEST(suite, planes_on_which_a_disc_rolls_again_are_refused);
   CU_ADD_TEST(suite, a_filling_counts_each_size);
 }

@@ -11,7 +11,7 @@
  * integrals.
  *
  * Returns, for D that monitors the particle:   D.vx, D.spin versus time and at the end of each stage
- * Refuses a particle that rolls again after it has slid.
+ * Refuses a particle that rolls again after it has slid, or that slides in -x.
  * Error: with springs a rolling particle has v + R w = F'/k_s, the rate at which the deflection of the shear spring
  * grows. So v is larger by F'/((1 + q) k_s), and R |w| is smaller by q times this. When the ramp ends, the velocities
  * oscillate about their values; a dashpot damps this oscillation.
@@ -74,10 +74,13 @@ static double spin_at(const void *data, double t) {
   return spin;
 }
 
-/* The reference does not cover a particle that rolls again after sliding. */
+/* The reference does not cover a particle that slides in -x, or that rolls again after sliding. */
 static bool slides_to_the_end(const struct plane *f) {
   bool slides = false;
   for (int s = 0; s < f->count; s++) {
+    for (int end = 0; end < 2; end++)
+      if (f->p[s][end] < -(1 + f->q) * f->mu * f->n[s][end])
+        return false;
     if (slides && sliding_begin(f, s) > 0)
       return false;
     slides = slides || sliding_begin(f, s) < 1;
@@ -112,7 +115,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!read_stages(&plane, scene, particle.step) || !slides_to_the_end(&plane))
     return nb_error_set(
         error, NB_BAD_USE,
-        "the reference `incline` is for up to %d stages, and a particle that does not roll again after it has slid",
+        "the reference `incline` is for up to %d stages, and a particle that slides only in +x and does not roll again",
         STAGES);
   for (int s = 0; s < plane.count; s++) {
     single_add(solution, particle.particle, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
