@@ -104,6 +104,8 @@ static void numerics(void) {
       {"sphere    $gap 5 mm ", "sphere    0.6 mm 5 mm ", "collide along x"},
       {"sphere    $gap 5 mm ", "sphere    $gap 5.001 mm ", "collide along x"},
       {"sphere    $gap 5 mm ", "sphere    $gap 4.999 mm ", "collide along x"},
+      {"velocity $speed 0 m/s", "velocity $speed 1 mm/s", "collide along x"},
+      {"radius 0.3 mm  steel\nlattice", "radius 0.3 mm  steel velocity 0 m/s -1 mm/s\nlattice", "collide along x"},
       {"$share of rayleigh-fit-mean", "$share of rayleigh-fit", "rayleigh-fit-mean"},
       {"at most 10000 cycles", "at most 5 cycles", "within the 5 cycles"});
   PAGE("5-numerics/changed-law",
@@ -366,7 +368,9 @@ static void assemblies(void) {
        "material m density 1000 kn 1.35e9\nlattice   discs 3 by 2  radius 50  rock\nlattice discs 2 by 1 from 50 250 "
        "radius 50 rock\ndisc 250 250 radius 50 m",
        "nine equal discs"},
-      {"cycles    $n", "cycles    100", "longer than 20/alpha"});
+      {"box       0 0 to 300 300  rock", "material hard kn 2e9\nbox 0 0 to 300 300 hard", "a box of the same material"},
+      {"0.1 of single-contact", "0.1 of stable", "a step given as a time or as"},
+      {"0.1 of single-contact", "0.001", NULL}, {"cycles    $n", "cycles    100", "longer than 20/alpha"});
   PAGE("6-lattices/stress-ring",
        {"boundary  circle", "sphere 0.1 mm 0 mm radius 1 nm glass\nboundary  circle", "six spheres"},
        {"sphere    -$d2 0 mm    radius $R2", "sphere    -$d2 0 mm    radius (1.001*R2)", "of two sizes in turn"},

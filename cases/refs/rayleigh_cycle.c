@@ -50,7 +50,7 @@ static double separation_velocity(const struct nb_particle *x, const struct nb_p
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *x = &scene->particles[0], *y = &scene->particles[1];
   if (scene->particle_count < 2 || scene->material_count != 1 || scene->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN ||
-      !(x->vx > y->vx) || !(y->x - x->x > x->radius + y->radius) || x->y < y->y || x->y > y->y)
+      !(x->vx > y->vx) || !(y->x - x->x > x->radius + y->radius) || x->y != y->y || x->vy != 0 || y->vy != 0)
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `rayleigh_cycle` is for two particles of one material that collide along x, and `step F of "

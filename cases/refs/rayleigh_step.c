@@ -59,6 +59,11 @@ static double rebound(const struct nb_scene *scene, const struct nb_particle *a,
   return 1 + hertz_restitution_error(dt / unit, gap / speed / dt, hertz_duration_factor() * unit / dt);
 }
 
+static bool collide_head_on(const struct nb_particle *a, const struct nb_particle *b) {
+  const double x = b->x - a->x, y = b->y - a->y, vx = a->vx - b->vx, vy = a->vy - b->vy;
+  return vx * x + vy * y > 0 && fabs(vx * y - vy * x) < 1e-9 * hypot(x, y) * hypot(vx, vy);
+}
+
 /* The step of the run, s; 0 if it is not one of R89's: then e = 1. `shortest` has step.rayleigh and
  * step.rayleigh-fit. */
 static double step_of(const struct nb_scene *scene, const double shortest[2], struct grain mean) {
@@ -97,7 +102,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (monitor->kind != NB_MONITOR_PARTICLE || other >= scene->particle_count)
       continue;
     const struct nb_particle *self = &scene->particles[monitor->a], *it = &scene->particles[other];
-    if (self->radius != it->radius || self->material != it->material)
+    if (self->radius != it->radius || self->material != it->material || !collide_head_on(self, it))
       continue;
     const double e = dt > 0 ? rebound(scene, self, it, dt) : 1;
     snprintf(name, sizeof name, "%s.vx", monitor->name);

@@ -30,17 +30,19 @@
 static enum nb_status refuse(struct nb_error *error) {
   return nb_error_set(error, NB_BAD_USE,
                       "the reference `speed_of_loading` is for nine equal discs without friction, three by three in a "
-                      "box whose walls approach "
-                      "with equal speeds from the first stage on, with `damping mass` only");
+                      "box of the same material whose walls approach with equal speeds from the first stage on, with "
+                      "`damping mass` only and a step given as a time or as a fraction of single-contact");
 }
 
-/* True: all discs are equal, and all walls move at the speed v towards the disc in the middle. */
+/* True: all discs are equal, and all walls, of the same material, move at the speed v towards the disc in the middle. */
 static bool approaches(const struct nb_scene *scene, double v) {
   const struct nb_particle *middle = &scene->particles[4];
   for (int k = 0; k < 9; k++)
     if (scene->particles[k].radius != middle->radius || scene->particles[k].material != middle->material)
       return false;
   for (int k = 0; k < 4; k++) {
+    if (scene->walls[k].material != middle->material)
+      return false;
     const struct nb_wall_motion *motion = &scene->stages[0].motions[k];
     const double x = middle->x - scene->walls[motion->wall].x, y = middle->y - scene->walls[motion->wall].y;
     if (hypot(motion->vx, motion->vy) != v || motion->vx * x + motion->vy * y < (1 - 1e-9) * v * hypot(x, y))
@@ -50,7 +52,8 @@ static bool approaches(const struct nb_scene *scene, double v) {
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->particle_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4)
+  if (scene->particle_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4 ||
+      (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_SINGLE_CONTACT))
     return refuse(error);
   const struct matter_pair pair = matter_pair(scene, scene->particles[0].material, scene->walls[0].material);
   const double m = matter_mass(scene, &scene->particles[0]), critical = 2 * sqrt(m / pair.kn);
