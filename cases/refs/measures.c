@@ -14,7 +14,7 @@
  * Returns, for A that monitors a circle or a box, at 0 cycles:
  *   all components of A.stress, A.stress.contacts, A.fabric, A.fabric.normal; A.fabric.kk
  *   A.particles, contacts, coordination, coordination.mechanical, rattlers, normal.mean, max, min
- *   A.porosity, porosity.volume, thickness
+ *   A.porosity, porosity.volume
  * Error: rounding; of the area of a particle in a region 1e-12, the relative tolerance of the quadrature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -213,7 +213,6 @@ static void add_region(struct nb_solution *solution, const struct nb_scene *scen
   add_value(solution, name, "normal.min", sums.smallest);
   add_value(solution, name, "porosity", 1 - sums.covered / area);
   add_value(solution, name, "porosity.volume", 1 - sums.volume / volume);
-  add_value(solution, name, "thickness", thickness);
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {

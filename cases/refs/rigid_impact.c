@@ -29,8 +29,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_wall *wall = &scene->walls[0];
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
   const double q = matter_mass(scene, particle) * particle->radius * particle->radius / matter_inertia(scene, particle);
-  const double vx = particle->vx - wall->vx, vy = particle->vy - wall->vy;
-  const double vt = fabs(vx * wall->ex + vy * wall->ey), vn = fabs(vx * wall->ey - vy * wall->ex);
+  const double vt = fabs(particle->vx * wall->ex + particle->vy * wall->ey),
+               vn = fabs(particle->vx * wall->ey - particle->vy * wall->ex);
   const double slides = vt - 2 * pair.friction * (1 + q) * vn, after = slides > 0 ? slides : 0;
   const double centre = vt - (vt - after) / (1 + q);
   solution_value(solution, after / (pair.friction * pair.young / (4 * pair.shear) * vn), "impact.psi2");
