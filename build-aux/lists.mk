@@ -367,6 +367,7 @@ SUITES = \
   tests/refs_chain.c \
   tests/refs_hertz.c \
   tests/refs_stacked.c \
+  tests/refs_variants.c \
   tests/changes.c \
   tests/affine.c \
   tests/box.c \
