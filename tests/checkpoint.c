@@ -286,21 +286,34 @@ static void other_tracked_columns(void) {
   written_free(&it);
 }
 
+/* The last checkpoint of the scene is read into `saved`. Returns its path. */
+static const char *last_checkpoint(char path[256], struct nb_saved *saved, const struct nb_scene *scene) {
+  struct nb_error error;
+  snprintf(path, 256, "%s/%s-%016llx.checkpoint", folder, scene->page->name, 1ULL);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read(saved, path, &error), NB_OK);
+  return path;
+}
+
+/* Returns the index of the part number `which`, from 0, of the parts with this name. */
+static size_t part_index(const struct nb_store *store, const char *name, int which) {
+  size_t k = 0;
+  while (k < store->part_count && (strcmp(store->parts[k].name, name) != 0 || which-- > 0))
+    k++;
+  CU_ASSERT_FATAL(k < store->part_count);
+  return k;
+}
+
 /* Removes a variable from the last checkpoint, as if an earlier version of the program had written it. Returns the
  * value of the variable. */
 static double without_variable(const struct nb_scene *scene, const char *name) {
   struct nb_saved saved;
   struct nb_error error;
-  char path[256];
-  double value = NAN;
-  snprintf(path, sizeof path, "%s/%s-%016llx.checkpoint", folder, scene->page->name, 1ULL);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_read(&saved, path, &error), NB_OK);
+  char buffer[256];
+  const char *path = last_checkpoint(buffer, &saved, scene);
   struct nb_store *const store = &saved.store;
-  size_t k = 0;
-  while (k < store->part_count && strcmp(store->parts[k].name, name) != 0)
-    k++;
-  CU_ASSERT_FATAL(k < store->part_count && store->parts[k].count == 1);
-  value = store->values[store->parts[k].at];
+  const size_t k = part_index(store, name, 0);
+  CU_ASSERT_EQUAL_FATAL(store->parts[k].count, 1);
+  const double value = store->values[store->parts[k].at];
   memmove(&store->parts[k], &store->parts[k + 1], (--store->part_count - k) * sizeof *store->parts);
   CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
   nb_saved_free(&saved);
@@ -325,6 +338,65 @@ static void missing_variables_are_refused(void) {
     CU_ASSERT_EQUAL(without_variable(&it.scene, rows[k].name), rows[k].value);
     CU_ASSERT_EQUAL(session(&result, &it.scene, 20, 0, 1, &error), NB_BAD_USE);
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "is not a checkpoint of this page"));
+    nb_result_free(&result);
+    remove_checkpoint(&it.scene, 1);
+    written_free(&it);
+  }
+}
+
+/* Three discs in a row, the first one at the only wall, and two stages, of which the first one takes a snapshot. So the
+ * checkpoint has the pairs 1-2, 2-3 and 1-wall, three numbers each: two indices and the index of the material pair. A
+ * checkpoint with an index that the page does not have is refused, also a count of warnings for which there is no
+ * memory. */
+static void altered_values_are_refused(void) {
+  enum { WARNING = sizeof(struct nb_warning) };
+  static const struct {
+    const char *name;
+    int which, index;
+    double value;
+    bool refused;
+  } rows[] = {
+      {"contacts", 0, 0, -1, true}, {"contacts", 0, 3, 3, true},  {"contacts", 0, 1, -1, true},
+      {"contacts", 0, 1, 3, true},  {"contacts", 0, 2, -1, true}, {"contacts", 0, 8, 2, true},
+      {"contacts", 0, 6, 3, true},  {"contacts", 0, 7, 1, true},  {"contacts", 0, 6, 0, false},
+      {"rows", 0, 1, -1, true},     {"rows", 0, 1, 2, true},      {"rows", 0, 1, 1, false},
+      {"snapshot", 0, 0, -1, true}, {"snapshot", 0, 0, 2, true},  {"snapshot", 0, 0, 1, true},
+      {"snapshot", 0, 0, 0, false}, {"warnings", 0, 0, -1, true}, {"warnings", 0, 0, NB_WARNINGS + 1, true},
+      {"warnings", 0, 0, 16, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {NB_OK, ""};
+    struct nb_saved saved;
+    char buffer[256];
+    words_add(&words, "units none\nmaterial m density 1 kn 90\nwall w 0 0 to 0 9 m\ndisc 0.99 4 radius 1 m\n"
+                      "disc 2.97 4 radius 1 m\ndisc 4.95 4 radius 1 m\nstep 0.001\nrecord time\nstage a\ncycles 2\n"
+                      "snapshot\nstage b\ncycles 9\n");
+    written_scene(&it, &words);
+    CU_ASSERT_EQUAL(session(&result, &it.scene, 0, 5, 1, &error), NB_BROKEN);
+    nb_result_free(&result);
+    const char *path = last_checkpoint(buffer, &saved, &it.scene);
+    struct nb_store *const store = &saved.store;
+    struct nb_store_part *const part = &store->parts[part_index(store, rows[k].name, rows[k].which)];
+    store->values[part->at + (size_t)rows[k].index] = rows[k].value;
+    if (strcmp(rows[k].name, "warnings") == 0 && rows[k].value > 0) { /* the texts of so many warnings */
+      const size_t more = (size_t)rows[k].value * WARNING;
+      store->values = realloc(store->values, (store->value_count + more) * sizeof *store->values);
+      CU_ASSERT_PTR_NOT_NULL_FATAL(store->values);
+      memset(store->values + store->value_count, 0, more * sizeof *store->values);
+      part[1].at = store->value_count, part[1].count = more, store->value_count += more;
+    }
+    CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+    nb_saved_free(&saved);
+    const enum nb_status status = session(&result, &it.scene, 5, 0, 1, &error);
+    const char *const text = strcmp(rows[k].name, "contacts") == 0
+                                 ? "the checkpoint has contacts that the page does not have"
+                                 : "is not a checkpoint of this page";
+    const bool as_wanted = rows[k].refused ? status == NB_BAD_USE && strstr(error.text, text) : status == NB_OK;
+    CU_ASSERT(as_wanted);
+    if (!as_wanted)
+      printf("# %s %d: %g, status %d, %s\n", rows[k].name, rows[k].index, rows[k].value, (int)status, error.text);
     nb_result_free(&result);
     remove_checkpoint(&it.scene, 1);
     written_free(&it);
@@ -455,6 +527,7 @@ void suite_checkpoint(void) {
   CU_add_test(suite, "other records are refused", other_records_are_refused);
   CU_ADD_TEST(suite, other_tracked_columns);
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
+  CU_ADD_TEST(suite, altered_values_are_refused);
   CU_add_test(suite, "special scenes interrupted and continued", interrupted_in_the_middle);
   CU_ADD_TEST(suite, a_collision_step_that_is_set);
   CU_ADD_TEST(suite, a_checkpoint_is_not_replaced);

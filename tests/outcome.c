@@ -254,7 +254,7 @@ static void warnings_of_regions(void) {
 static void warnings_of_ends_propose(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1000\nperiodic cell 0 0 to 9 9\ndisc 1 1 radius 1 m\n"
-      "disc 5 1 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
+      "disc 5 1 radius 1 m\ndisc 5 5 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
       "cell strain 0 -1\ncycles 20\nstage two\n%s  at most 9 cycles";
   static const struct {
     const char *end, *warning;
@@ -268,6 +268,9 @@ static void warnings_of_ends_propose(void) {
       {"until unbalanced.max below 1", "add a condition such as `and contacts above 0`"},
       {"until cell.strain.yy below -0.01",
        "; this strain counts from time 0, `stage.time` from the start of the stage"},
+      {"until M.strain.yy below -0.01",
+       "; this strain counts from the start of the run, or with `region … from STAGE` from the start of STAGE; "
+       "`stage.time` counts from the start of each stage"},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;
