@@ -330,6 +330,27 @@ static void contacts_without_force(void) {
     warns_once(&cases[k]);
 }
 
+/* An overlap above 7 % of the smaller diameter at the start. The warning has the line of the particle with the larger
+ * number. */
+static void overlaps_at_the_start_above_the_limit(void) {
+#define TOO_MUCH                                                                                                       \
+  "diameter; above 7 % real particles deform plastically, and the force may be very large: move the particle away, or " \
+  "make it smaller\n"
+  static const struct warning_case cases[] = {
+      {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.7 0 radius 2 m",
+       "5: particle 2 overlaps particle 1 (line 4) too much at the start: by 0.3, 15 % of the smaller " TOO_MUCH},
+      {"material m density 1 kn 1\ndisc 0 0 radius 2 m\ndisc 2.7 0 radius 1 m",
+       "5: particle 2 overlaps particle 1 (line 4) too much at the start: by 0.3, 15 % of the smaller " TOO_MUCH},
+      {"material m density 1 kn 1\ndisc 9 9 radius 1 m\ndisc 0 1.4 radius 2 m\nwall w -9 0 to 9 0 m",
+       "5: particle 2 overlaps wall `w` (line 6) too much at the start: by 0.6, 15 % of the " TOO_MUCH},
+      {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.861 0 radius 2 m", NULL},
+      {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.859 0 radius 2 m", "by 0.141, 7"},
+  };
+#undef TOO_MUCH
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+    warns_once(&cases[k]);
+}
+
 /* Some conditions are always or never met, except with a law of the user's own that has tensile forces. They are allowed
  * and cause a warning. */
 static void conditions_on_tensile_forces(void) {
@@ -868,16 +889,21 @@ static void resolution_and_mean_overlap(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 has"));
 }
 
-/* The warning is given once in a run: not again when another particle is farther from the origin. */
+/* The warning is given once in a run: not again when another particle is farther from the origin. Here the ulp is
+ * 2^-19, and the expected overlap a thousandth of the smaller radius. */
 static void resolution_is_reported_once(void) {
   struct words page = {0};
   struct written it;
-  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 1e10 0 radius 1 m\ndisc 0 0 radius 1 m\nstep 1e-9\n"
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 1e10 0 radius 1 m\ndisc 0 0 radius 0.5 m\nstep 1e-9\n"
                    "record time\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
-  CU_ASSERT_PTR_NOT_NULL(strstr(model->warnings.list[0].text, "particle 1: its coordinate 1e+10 has"));
+  CU_ASSERT_STRING_EQUAL(model->warnings.list[0].text,
+                         "particle 1: its coordinate 1e+10 has a resolution (ulp) of 1.90735e-06, that is 0.38 % of the "
+                         "expected overlap, a thousandth of the smallest radius, 0.0005, at cycle 0. The relative error "
+                         "of the forces is of this size (limit: 0.1 %): put the scene nearer to the origin");
+  CU_ASSERT_EQUAL(model->warnings.list[0].line, 4);
   model->particles.position[model->particles.slot[1]].x = 3e10;
   nb_guard_resolution(model);
   CU_ASSERT_EQUAL(model->warnings.count, 1);
@@ -939,6 +965,7 @@ void suite_guard(void) {
   CU_add_test(suite, "walls that rotate about their middles", walls_that_rotate_about_their_middles);
   CU_add_test(suite, "particles outside the box", particles_outside_the_box);
   CU_add_test(suite, "contacts of fixed particles", contacts_of_fixed_particles);
+  CU_ADD_TEST(suite, overlaps_at_the_start_above_the_limit);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

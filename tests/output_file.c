@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -26,6 +27,18 @@ static int make_folder(void) {
   return mkdtemp(folder) == NULL;
 }
 static int remove_folder(void) { return rmdir(folder); }
+
+/* The text of an error has the reason of the system. If memory ran out, it says what to do instead. */
+static void errors_of_the_system(void) {
+  for (int memory = 0; memory < 2; memory++) {
+    struct nb_error error;
+    errno = memory ? ENOMEM : ENOSPC;
+    CU_ASSERT_EQUAL(nb_error_system(&error, "cannot write %s", "a"), memory ? NB_NO_MEMORY : NB_BAD_USE);
+    CU_ASSERT_STRING_EQUAL(error.text,
+                           memory ? "out of memory; make fewer runs at the same time, for example with --jobs 1"
+                                  : "cannot write a: No space left on device");
+  }
+}
 
 static void all_files_are_closed(void) { CU_ASSERT_EQUAL(written_open_files(), files); }
 
@@ -243,5 +256,6 @@ void suite_output_file(void) {
   CU_ADD_TEST(suite, files_that_become_too_large);
   CU_ADD_TEST(suite, files_that_are_replaced);
   CU_ADD_TEST(suite, folders_are_created);
+  CU_ADD_TEST(suite, errors_of_the_system);
   CU_ADD_TEST(suite, all_files_are_closed);
 }

@@ -236,7 +236,7 @@ out '    a row every cycle: the `record` of stage `one` (line 19) holds only the
 test "$(grep -c 'a row every cycle' out)" -eq 1 || echo 'not for one stage' >>why
 sed '/^wall *floor/d' doubtful.md >pair.md
 run 0 explain pair.md
-out 'pair.md:10: warning: particle 3 overlaps particle 2 (line 9) too much at the start: by 0.005 m, 25 % of the smaller diameter; above 7 %'
+out 'pair.md:10: warning: particle 3 overlaps particle 2 (line 9) too much at the start: by 0.005 m, 25 % of the smaller diameter; above 7 % real particles deform plastically, and the force may be very large: move the particle away, or make it smaller'
 sed 's/^disc *0 mm 5 mm/disc 0 mm 8.61 mm/; s/315 mm/318.61 mm/' doubtful.md >less.md
 run 0 explain less.md
 grep -q 'overlaps' out && echo 'a warning of an overlap below the limit' >>why
