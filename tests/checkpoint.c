@@ -470,6 +470,30 @@ static void a_checkpoint_is_not_replaced(void) {
   written_free(&it);
 }
 
+/* Sets the time of the run and that of its stage in the last checkpoint, s. */
+static void set_seconds(const struct nb_scene *scene, double run, double stage) {
+  struct nb_saved saved;
+  struct nb_error error;
+  char buffer[256];
+  const char *path = last_checkpoint(buffer, &saved, scene);
+  saved.store.values[saved.store.parts[part_index(&saved.store, "seconds", 0)].at] = run;
+  saved.store.values[saved.store.parts[part_index(&saved.store, "stage_seconds", 0)].at] = stage;
+  CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+  nb_saved_free(&saved);
+}
+
+/* The error of a run that stops after `done` of its 50 cycles, in cycle 20 + done, says how much is done. The time that
+ * is left follows from the time of the run so far, 600 s in its checkpoint. */
+static bool says_what_is_left(const char *text, unsigned long done) {
+  unsigned long cycle = 0;
+  double percent = 0, left = 0;
+  const double fraction = (double)done / 50, longest = 610 * (1 - fraction) / fraction;
+  const int read = sscanf(text, "stopped by a signal after cycle %lu (%lf %%, at most %lf s left); the checkpoint is",
+                          &cycle, &percent, &left);
+  return read == 3 && cycle == 20 + done && percent == (double)(2 * done) && left <= longest &&
+         (done == 10 || left >= longest * 0.98);
+}
+
 /* A page that starts from a stage of another one continues from its own checkpoint, not from the saved state of the
  * other page, and needs this state no more. */
 static void a_page_that_starts_from_another(void) {
@@ -508,6 +532,11 @@ static void a_page_that_starts_from_another(void) {
       printf("# from cycle %lu: %s\n", cuts[k], what);
     CU_ASSERT_PTR_NULL(what);
     CU_ASSERT_EQUAL(result.cycles, to ? to : whole.cycles);
+    CU_ASSERT(!to || says_what_is_left(error.text, to));
+    if (k == 0)
+      set_seconds(&it.scene, 600, 300); /* in stage `b`, which ends in the next session */
+    if (!to)
+      CU_ASSERT(result.seconds >= 600 && result.stages[1].seconds >= 300 && result.stages[2].seconds < 300);
     CU_ASSERT_EQUAL(access(state, F_OK) == 0, k < 2); /* the run does not compute it again */
     nb_result_free(&result);
   }
