@@ -443,8 +443,10 @@ static void velocities_of_walls_reverse(void) {
       after(DOOR "stage b\nreverse velocities\ncycles 2\nstage c\nwall w velocity 0 0\ncycles 2\n", "W.angle"), 0);
 }
 
-/* The spin of a wall ramps linearly from 1/2 to 5/2 in 2 s, or to 0. */
+/* The spin of a wall ramps linearly from 1/2 to 5/2 in 2 s, or to 0. It begins at 1/2 whatever the angle is then, here
+ * 0.5 or 1. */
 static void a_spin_ramps(void) {
+  CU_ASSERT_EQUAL(after(DOOR "stage c\ncycles 4\nstage b\nramp wall w spin 2.5\ncycles 8\n", "W.angle"), 1 + 3);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\n", "W.angle"), 0.5 + 3);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\nstage c\ncycles 4\n", "W.angle"), 3.5 + 2.5);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp walls stop\ncycles 8\n", "W.angle"), 0.5 + 0.5);

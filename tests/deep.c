@@ -141,6 +141,11 @@ static void overlaps_are_counted(void) {
        11, ""},
       {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
       {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "particle 1 and wall w"},
+      /* in the fourth step of 1e-5 the overlap exceeds 0.14 */
+      {"sphere 0 0.860035 radius 1 m velocity 0 -1e4\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 7,
+       "particle 1 and wall w, in cycle 4, at time 4e-09"},
+      {"sphere 0 0 radius 1 m fixed\nsphere 1.860035 0 radius 1 m velocity -1e4 0\n", 7,
+       "particle 1 and particle 2, in cycle 4, at time 4e-09"},
       /* if several contacts are deep, the first one is named */
       {"sphere 0 0 radius 3 m\nsphere 3.86005 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 11,
        "particle 2 and particle 3"},
@@ -159,7 +164,9 @@ static void overlaps_are_counted(void) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
-    words_add(&page, "units none\n" SPHERE "%sstep 1e-9\nrecord contacts.deep\nstage s\ncycles 10\n", pages[n].scene);
+    words_add(&page, "units none\n" SPHERE "%sstep 1e-9\nrecord contacts.deep\nstage r\ncycles 2\nstage s\n"
+              "cycles 8\n",
+              pages[n].scene);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     CU_ASSERT_EQUAL(written_last(&result, "contacts.deep"), pages[n].counted);

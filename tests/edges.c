@@ -59,11 +59,19 @@ static void a_cell_stays_wide_enough_or_not(void) {
     words_add(
         &words,
         "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 1 m\ndisc 1 5 radius 1 m\nperiodic cell 0 0 to 5 9\n"
-        "skin 0.1\nrecord time\nstep 0.001\nstage s\ncell strain -1e-3 per cycle 0 per cycle\ncycles %d\n",
+        "skin 0.1\nrecord time\nstep 0.001\nstage r\ncycles 40\nstage s\n"
+        "cell strain -1e-3 per cycle 0 per cycle\ncycles %d\n",
         wide ? 150 : 223);
     written_scene(&it, &words);
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), wide ? NB_OK : NB_BROKEN);
+    double width, time;
+    unsigned long cycle;
     CU_ASSERT(wide || strstr(error.text, "the skin, 4.2"));
+    CU_ASSERT_FATAL(
+        wide || sscanf(error.text, "the cell is %lf wide at cycle %lu, at time %lf:", &width, &cycle, &time) == 3);
+    /* after 40 cycles without a strain */
+    CU_ASSERT(wide || fabs(width - 5 * pow(0.999, (double)cycle - 40)) < 1e-4);
+    CU_ASSERT(wide || fabs(time - (double)cycle * 0.001) < 1e-5);
     nb_result_free(&result), written_free(&it);
   }
 }

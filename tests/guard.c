@@ -13,7 +13,8 @@
 
 #define HEAD "units none\nmaterial m density 1 kn 1\nallow unstable\nstep 0.5\n"
 
-/* Makes the model and runs `cycles` cycles of one stage. Returns the status; *done is the number of cycles made. */
+/* Makes the model and runs `cycles` cycles of one stage. Returns the status; *done is the number of cycles made. The
+ * counters of the stage differ from those of the run, as in a later stage. */
 static enum nb_status outcome(struct nb_error *error, const char *statements, unsigned long cycles,
                               unsigned long *done) {
   struct words page = {0};
@@ -22,8 +23,10 @@ static enum nb_status outcome(struct nb_error *error, const char *statements, un
   words_add(&page, "%s\nstage s\ncycles 1\n", statements);
   written_scene(&it, &page);
   struct nb_model *model = nb_model_create(&it.scene, NULL, error);
-  if (model)
+  if (model) {
     nb_stage_begin(model, &it.scene.stages[0], error);
+    model->stage_cycle += 4, model->stage_time -= 4 * model->step;
+  }
   while (model && !error->status && model->cycle < cycles)
     nb_cycle(model, error);
   *done = model ? model->cycle : 0;
@@ -90,6 +93,29 @@ static void coincident_particles(void) {
   model->cycle = 7;
   CU_ASSERT_EQUAL(nb_neighbours_search(model, &error), NB_BROKEN);
   CU_ASSERT(has(&error, "particle 2 (line 6) and particle 3 (line 6): at cycle 7, time 0, they overlap by 2."));
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* The first particle, in the order of the numbers, whose position is NaN or infinite is named. */
+static void positions_that_are_not_finite(void) {
+  static const struct nb_vec bad[] = {{NAN, 0}, {0, NAN}, {INFINITY, 0}, {0, -INFINITY}};
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, HEAD "disc 1 1 radius 1 m\ndisc 5 1 radius 1 m\ndisc 9 1 radius 1 m\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = true});
+  CU_ASSERT_EQUAL(nb_guard_positions(model, &error), NB_OK);
+  model->cycle = 7, model->stage_cycle = 3, model->time = 3.5, model->stage_time = 2, model->critical = 0.75;
+  model->step = 0.25, model->previous_step = 0.5;
+  for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+    model->particles.position[model->particles.slot[1]] = bad[k];
+    model->particles.position[model->particles.slot[2]] = vec(NAN, 0);
+    CU_ASSERT_EQUAL(nb_guard_positions(model, &error), NB_BROKEN);
+    CU_ASSERT_STRING_EQUAL(error.text, "particle 2 (line 7): its position is NaN or infinite after cycle 7, at time "
+                                       "3.5; the step is 0.25, the single-contact step is 0.75: try a smaller step");
+  }
   nb_model_free(model);
   written_free(&it);
 }
@@ -966,6 +992,7 @@ void suite_guard(void) {
   CU_add_test(suite, "particles outside the box", particles_outside_the_box);
   CU_add_test(suite, "contacts of fixed particles", contacts_of_fixed_particles);
   CU_ADD_TEST(suite, overlaps_at_the_start_above_the_limit);
+  CU_ADD_TEST(suite, positions_that_are_not_finite);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
