@@ -355,14 +355,13 @@ static void altered_values_are_refused(void) {
     int which, index;
     double value;
     bool refused;
-  } rows[] = {
-      {"contacts", 0, 0, -1, true}, {"contacts", 0, 3, 3, true},  {"contacts", 0, 1, -1, true},
-      {"contacts", 0, 1, 3, true},  {"contacts", 0, 2, -1, true}, {"contacts", 0, 8, 2, true},
-      {"contacts", 0, 6, 3, true},  {"contacts", 0, 7, 1, true},  {"contacts", 0, 6, 0, false},
-      {"rows", 0, 1, -1, true},     {"rows", 0, 1, 2, true},      {"rows", 0, 1, 1, false},
-      {"snapshot", 0, 0, -1, true}, {"snapshot", 0, 0, 2, true},  {"snapshot", 0, 0, 1, true},
-      {"snapshot", 0, 0, 0, false}, {"warnings", 0, 0, -1, true}, {"warnings", 0, 0, NB_WARNINGS + 1, true},
-      {"warnings", 0, 0, 16, false}};
+  } rows[] = {{"contacts", 0, 0, -1, true}, {"contacts", 0, 3, 3, true},  {"contacts", 0, 1, -1, true},
+              {"contacts", 0, 1, 3, true},  {"contacts", 0, 2, -1, true}, {"contacts", 0, 8, 2, true},
+              {"contacts", 0, 6, 3, true},  {"contacts", 0, 7, 1, true},  {"contacts", 0, 6, 0, false},
+              {"rows", 0, 1, -1, true},     {"rows", 0, 1, 2, true},      {"rows", 0, 1, 1, false},
+              {"snapshot", 0, 0, -1, true}, {"snapshot", 0, 0, 2, true},  {"snapshot", 0, 0, 1, true},
+              {"snapshot", 0, 0, 0, false}, {"warnings", 0, 0, -1, true}, {"warnings", 0, 0, NB_WARNINGS + 1, true},
+              {"warnings", 0, 0, 16, false}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words words = {0};
     struct written it;

@@ -164,7 +164,8 @@ static void overlaps_are_counted(void) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
-    words_add(&page, "units none\n" SPHERE "%sstep 1e-9\nrecord contacts.deep\nstage r\ncycles 2\nstage s\n"
+    words_add(&page,
+              "units none\n" SPHERE "%sstep 1e-9\nrecord contacts.deep\nstage r\ncycles 2\nstage s\n"
               "cycles 8\n",
               pages[n].scene);
     written_scene(&it, &page);

@@ -67,8 +67,8 @@ static void a_cell_stays_wide_enough_or_not(void) {
     double width, time;
     unsigned long cycle;
     CU_ASSERT(wide || strstr(error.text, "the skin, 4.2"));
-    CU_ASSERT_FATAL(
-        wide || sscanf(error.text, "the cell is %lf wide at cycle %lu, at time %lf:", &width, &cycle, &time) == 3);
+    CU_ASSERT_FATAL(wide ||
+                    sscanf(error.text, "the cell is %lf wide at cycle %lu, at time %lf:", &width, &cycle, &time) == 3);
     /* after 40 cycles without a strain */
     CU_ASSERT(wide || fabs(width - 5 * pow(0.999, (double)cycle - 40)) < 1e-4);
     CU_ASSERT(wide || fabs(time - (double)cycle * 0.001) < 1e-5);

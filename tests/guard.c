@@ -360,7 +360,8 @@ static void contacts_without_force(void) {
  * number. */
 static void overlaps_at_the_start_above_the_limit(void) {
 #define TOO_MUCH                                                                                                       \
-  "diameter; above 7 % real particles deform plastically, and the force may be very large: move the particle away, or " \
+  "diameter; above 7 % real particles deform plastically, and the force may be very large: move the particle away, "   \
+  "or "                                                                                                                \
   "make it smaller\n"
   static const struct warning_case cases[] = {
       {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.7 0 radius 2 m",
@@ -925,10 +926,11 @@ static void resolution_is_reported_once(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
-  CU_ASSERT_STRING_EQUAL(model->warnings.list[0].text,
-                         "particle 1: its coordinate 1e+10 has a resolution (ulp) of 1.90735e-06, that is 0.38 % of the "
-                         "expected overlap, a thousandth of the smallest radius, 0.0005, at cycle 0. The relative error "
-                         "of the forces is of this size (limit: 0.1 %): put the scene nearer to the origin");
+  CU_ASSERT_STRING_EQUAL(
+      model->warnings.list[0].text,
+      "particle 1: its coordinate 1e+10 has a resolution (ulp) of 1.90735e-06, that is 0.38 % of the "
+      "expected overlap, a thousandth of the smallest radius, 0.0005, at cycle 0. The relative error "
+      "of the forces is of this size (limit: 0.1 %): put the scene nearer to the origin");
   CU_ASSERT_EQUAL(model->warnings.list[0].line, 4);
   model->particles.position[model->particles.slot[1]].x = 3e10;
   nb_guard_resolution(model);

@@ -186,7 +186,8 @@ static void passes_and_their_lines(void) {
        "normal 0"},
       {DISC "periodic cell 0 0 to 9 9\nshear linear\npair m m cohesion 2\ndamping stiffness 0.1\ndamping centred\n"
             "record cycle\nstage a\ncycles 4\n",
-       "0-0: disc-image, overlap and both increments 7, normal linear 0, shear linear 8, dashpots, centred 10, resolve, "
+       "0-0: disc-image, overlap and both increments 7, normal linear 0, shear linear 8, dashpots, centred 10, "
+       "resolve, "
        "normal and shear 0"},
       {SPHERES "record cycle\ndamping critical beyond overlap 0.1\ndamping centred\nstage a\ncycles 4\n",
        "0-0: disc-disc, overlap and both increments 0, normal hertz 4, shear mindlin 5, large overlaps 10, dashpots, "

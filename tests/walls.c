@@ -301,11 +301,12 @@ static void every_crossing_stops_the_run(void) {
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m\n"
           "disc 50 50 radius 30 m",
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
-  through("disc 0 3 radius 2 m\nwall w -5 0 to 5 0 m velocity 0 1000", /* the wall was too fast */
-          "particle 1 (line 5) passed through wall `w` (line 6) in cycle 1, at time 0.01: its centre is now on the other "
-          "side. The limit of the overlap with a wall is the particle's radius, 2; in this step of 0.01 it moved 10 "
-          "relative to the wall: try a smaller step",
-          1);
+  through(
+      "disc 0 3 radius 2 m\nwall w -5 0 to 5 0 m velocity 0 1000", /* the wall was too fast */
+      "particle 1 (line 5) passed through wall `w` (line 6) in cycle 1, at time 0.01: its centre is now on the other "
+      "side. The limit of the overlap with a wall is the particle's radius, 2; in this step of 0.01 it moved 10 "
+      "relative to the wall: try a smaller step",
+      1);
   through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m spin 2000",
           "wall `w` (line 6): in cycle 1, at time 0.01, it turned by 20 rad", 1);
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m about 1 -2\n"
