@@ -350,6 +350,7 @@ static void pages_whose_case_depends_on_the_step_have_one_phase(void) {
       MATERIAL "boundary circle 4 4 radius 4\n" LATTICE RUN "boundary strain -1e-5 per cycle 0 per cycle\n" UNTIL,
       MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "servo mean 1 on box through box at most 1e-6 per cycle\n" UNTIL,
       MATERIAL LATTICE RUN "damping con1 0.9 as velocity\n" UNTIL,
+      MATERIAL LATTICE RUN "damping con1 0.9 as cs79\n" UNTIL,
       MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "box strain -0.01 0\ndamping mass 1\n" UNTIL,
   };
   for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {

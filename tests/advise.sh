@@ -449,6 +449,48 @@ echo mine >cut/trades.tsv
 run 2 advise --all folder/a.md -o cut && said 'nineball: cut/trades.tsv is not a table that this version wrote: remove it, or choose another folder with -o' && test "$(cat cut/trades.tsv)" = mine
 result $? 'another file is not overwritten'
 
+# The kinds of quantities, at most three of each page. The budget is spent at once.
+mkdir kinds
+# kinds NAME STAGE EXPECTATION...
+kinds() {
+  page=kinds/$1.md
+  printf '# A page\n\n```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 2\ndisc 9 9 radius 1 m velocity 1 2\n' >"$page"
+  printf 'monitor A disc 1\nmonitor B disc 2\nstep 0.1\nrecord time step cycle A.x A.y A.vx A.vy B.x energy.balance\nstage a\n%b\n```\n\n```expect\n' "$2" >>"$page"
+  shift 2
+  printf '%s\n' "$@" >>"$page"
+  echo '```' >>"$page"
+}
+kinds 1 'cycles 9' 'A.x amplitude above 0' 'A.y min above 0' 'A.vx mean above 0'
+kinds 2 'cycles 9' 'A.x frequency expected 0 within 9 [x]' 'A.y at 3 cycles above 0' 'A.vx at 0.35 above 0'
+kinds 3 'cycles 9' 'A.x above 0' 'B.x above 0' 'A.y in a above 0' 'A.x max above 0' 'A.vy above 0'
+kinds 4 'until A.x above 0.3 at most 9 cycles\nstage b\ncycles 9' 'time above 0' 'step above 0' 'report A.vx' 'energy.balance expected 0 within 1 [x]' 'A.x in a above 0' 'A.x above 0'
+printf '# A path\n```contact-test\nunits none\nmaterial rock young 100 poisson 0 friction 1\ncontact sphere 1 rock with wall rock\nnormal hertz\nshear mindlin\nrecord shear normal\n' >kinds/5.md
+printf 'segment p normal to 1 in 9 steps\nsegment s slip by 0.001 in 9 steps\n```\n```expect\nshear max above 0\nnormal above 0\n```\n' >>kinds/5.md
+{
+  printf '# An impact\n```scene\nunits none\nmaterial rock density 1 young 1000 poisson 0\nnormal hertz\nsphere 0 0 radius 1 rock\nsphere 0 2 radius 1 rock fixed\n'
+  printf 'monitor C sphere 1 with sphere 2\nimpact C speed 0.3 angle 0\nrecord impact.duration C.normal\nstep 0.01\nstage a\nuntil impact.time above 1.02 at most 1000 cycles\n'
+  printf '```\n```expect\nimpact.duration above 0\nC.normal max above 0\n```\n'
+} >kinds/6.md
+run 1 advise --all kinds/[1-6].md --budget 1e-9 -o kinds
+test "$(rows kinds/trades.tsv | cut -f 1,5-9 | sed 's,^kinds/\(.\).md,\1,' | tr '\t' '|' | sed 's/|10 %|budget|the page cannot be run with its own step and with half of it: the budget is too small; choose a larger --budget$//')" = \
+  '1|extreme|A.x amplitude
+1|extreme|A.y min
+1|mean|A.vx mean
+2|mean|A.x frequency
+2|time|A.y at 3 cycles
+2|time|A.vx at 0.35
+3|time|A.x
+3|time|A.y in a
+3|extreme|A.x max
+4|until|A.x in a
+4|time|A.x
+5|contact test|shear max
+5|contact test|normal
+6|impact|impact.duration
+6|extreme|C.normal max' && test "$(rows kinds/trades.tsv | cut -f 10-17,20,21 | sort -u | tr '\t' '|')" = '-|-|-|-|-|-|-|-|-|-' &&
+  test "$(rows kinds/trades.tsv | sed -n '1p;12p' | cut -f 3,4,18,19 | tr '\t\n' '|;')" = '-|-|linear|none;-|-|hertz|mindlin;'
+result $? 'the kinds of quantities, and rows without advice'
+
 run 0 advise --all folder --quantity D.vx --within '50 %' --set speed=0.2 -o below
 cp below/trades.tsv "$why"
 test "$(column below/trades.tsv 1)" = folder/a.md
