@@ -167,7 +167,7 @@ static void force_chains(void) {
 }
 
 void suite_recount_contacts(void) {
-  CU_pSuite suite = CU_add_suite("recount contacts", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("recount_contacts", NULL, NULL);
   CU_ADD_TEST(suite, contacts_follow_from_particles);
   CU_ADD_TEST(suite, force_chains);
 }

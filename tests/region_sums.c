@@ -141,7 +141,7 @@ static void each_alone(void) {
 }
 
 void suite_region_sums(void) {
-  CU_pSuite suite = CU_add_suite("sums over regions", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("region_sums", NULL, NULL);
   CU_add_test(suite, "particles and contacts, parts and whole: to rounding", sums_agree);
   CU_add_test(suite, "each quantity alone", each_alone);
   CU_add_test(suite, "threads, storage and instruction sets change no bit", same_bits);

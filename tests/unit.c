@@ -10,6 +10,7 @@
 #include <CUnit/CUnit.h>
 #include <CUnit/TestRun.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void suite_cannot_start(const CU_pSuite suite) {
@@ -22,9 +23,14 @@ static void test_done(const CU_pTest test, const CU_pSuite suite, const CU_pFail
   printf("%s %u - %s: %s\n", failures ? "not ok" : "ok", CU_get_number_of_tests_run(), suite->pName, test->pName);
 }
 
-/* Selects all suites, or those that are named; returns their number of tests. */
+/* Selects all suites, or those that are named; returns their number of tests. A name that no suite has ends the program. */
 static unsigned choose(int count, char *names[]) {
   unsigned tests = 0;
+  for (int k = 0; k < count; k++)
+    if (!CU_get_suite(names[k])) {
+      printf("Bail out! there is no suite %s\n", names[k]);
+      exit(1);
+    }
   CU_set_fail_on_inactive(CU_FALSE);
   for (CU_pSuite suite = CU_get_registry()->pSuite; suite; suite = suite->pNext) {
     CU_BOOL wanted = count == 0;

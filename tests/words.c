@@ -94,7 +94,7 @@ static void columns(void) {
 }
 
 void suite_words(void) {
-  CU_pSuite suite = CU_add_suite("words of a command", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("words", NULL, NULL);
   CU_add_test(suite, "plain words", plain_words);
   CU_add_test(suite, "words with special characters", quoted_words);
   CU_add_test(suite, "apostrophes", apostrophes);

@@ -143,4 +143,4 @@ static size_t no_seed(size_t k, char *text) { /* replay.c takes the pages of the
   return 0;
 }
 
-const struct fuzz_reader fuzz_pages = {"pages", 64 << 10, 3000, read_page, no_seed};
+const struct fuzz_reader fuzz_pages = {"pages", 64 << 10, 1000, read_page, no_seed};
