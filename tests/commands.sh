@@ -344,10 +344,12 @@ $ explain wrong.md
 !       |       ^~~~~~~
 !   hint: for example `allow     unstable`
 = 2
-$ explain good.md none.md | tail -n 1
-    a cycle with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
+$ explain good.md none.md >/dev/null
 ! none.md: error: cannot be read: No such file or directory
-= 0
+= 2
+$ explain none.md good.md >/dev/null
+! none.md: error: cannot be read: No such file or directory
+= 2
 $ state good.md
   the state at the end of stage `go` is in good-go.state
   a page beside it takes the particles, without velocities and contact histories, with: packing good-go.state
@@ -498,6 +500,29 @@ $ check bad.md good.md --rounding all
     rounding zero  1 of 1 checks passed
     bits that do not depend on the rounding mode, of 53:
       53  D.x expected 1.25 within 0 [1 + 0.25]
+= 1
+$ check good.md bad.md --rounding all
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    rounding up    1 of 1 checks passed
+    rounding down  1 of 1 checks passed
+    rounding zero  1 of 1 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.25 within 0 [1 + 0.25]
+  bad: Page bad
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          bad.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    pass  time expected 1 within 0 [two steps]
+          computed 1, expected 1, error 0, tolerance 0
+    1 of 2 checks passed
+    rounding up    1 of 2 checks passed
+    rounding down  1 of 2 checks passed
+    rounding zero  1 of 2 checks passed
+    bits that do not depend on the rounding mode, of 53:
+      53  D.x expected 1.5 within 0 [a guess]
+      53  time expected 1 within 0 [two steps]
 = 1
 $ check wrong.md bad.md --rounding parts
   bad: Page bad
