@@ -34,13 +34,30 @@ static void scenes_outside_the_theory_are_refused(void) {
   refs_nine_discs(&it, kn, 2, 40, 400);
   for (size_t i = 0; i < 4; i++)
     it.motions[i].vx *= -1, it.motions[i].vy *= -1;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "opens"));
+  CU_ASSERT_STRING_EQUAL(refs_refused("nine_discs_statics", &it).text,
+                         "this reference is for contacts that stay closed; the contact of particle 1 with particle 2 "
+                         "opens at cycle 440");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "opens"));
   it.materials[0].cohesion = 1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cohesion"));
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.particles[4].x += 0.01;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "just touch"));
+  /* disc 2 is below disc 5: the gap is (100^2 + 0.01^2)^(1/2) - 100 */
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text,
+                                "just touch: the gap between particle 2 and particle 5 is 5e-07 m; it must be 0"));
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  it.walls[3].x += 1e-6; /* west: it overlaps disc 1 */
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text,
+                                "the gap between particle 1 and wall 4 is -1e-06 m; it must be 0"));
+  /* Without sliding, S has the forces (9/14, 5/14) k_n d, see nine_discs_statics.c, and disc 1 has S as its second
+   * contact; disc 1 with disc 2 has (5/14, 1/14). */
+  refs_nine_discs(&it, kn, 0.55, 40, 400);
+  CU_ASSERT_STRING_EQUAL(refs_refused("nine_discs_statics", &it).text,
+                         "this reference is for contacts that do not slip; the contact of particle 1 with wall 1 slips "
+                         "at cycle 440 (shear over normal force 0.555556)");
+  refs_nine_discs(&it, kn, 0.56, 40, 400);
+  solution = refs_solution("nine_discs_statics", &it);
+  solution_free(&solution);
   refs_nine_discs(&it, kn, 2, 40, 400);
   strcpy(it.scene.normal, "hertz");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "hertz"));

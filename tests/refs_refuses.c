@@ -226,6 +226,23 @@ static void impacts(void) {
        {"sphere    0 mm $Y", "sphere    0 mm -$Y", "above the line"},
        {"velocity $V 0 m/s ", "velocity $V 1 um/s ", "along x"},
        {"velocity -$V 0 m/s", "velocity -$V 1 um/s", "along x"});
+  PAGE("4-oblique/oblique-impact-forces", {"friction 0.12", "friction 0", "a contact with friction"},
+       {"stage     strike", "stage strike\nwall floor velocity 0 m/s 0 m/s", "no stage changes"});
+  PAGE("8-published/mfix-dem-05", {"35 deg 40 deg", "20 deg 40 deg", "impact.psi1 >= 4 chi"},
+       {"35 deg 40 deg", "0 deg 40 deg", NULL}, {"ks 14.8 MN/m\nmaterial  alloy", "\nmaterial alloy", "with friction"},
+       {"friction 0.092  kn 17.2 MN/m  ks 14.8 MN/m\nnormal", "kn 17.2 MN/m ks 14.8 MN/m\nnormal", "with friction"},
+       {"damping   ratio $beta", "damping ratio 1", "below critical damping"},
+       {"stage     strike", "stage strike\nwall plate velocity 0 m/s 0 m/s", "no stage changes"});
+  PAGE("4-oblique/closed-squares-r89", {"slip by -$slip ", "slip by (-2*slip) ", "in turns, without"},
+       {"out     slip by $slip ", "out     slip by (12*slip) ", "in turns, without"},
+       {"out     slip by $slip ", "out     shear to 1 N hold normal ", "in turns, without"},
+       {"out     slip by $slip ", "out     normal to $N slip by $slip ", "in turns, without"},
+       {"segment  press   normal to $N ", "segment  press   overlap to -1 um ", "in turns, without"},
+       {"out     slip by $slip ", "out     slip by -$slip ", "in turns, without"},
+       {"slip by -$slip ", "slip by (-0.9*slip) ", NULL});
+  PAGE("4-oblique/closed-squares", {"out     slip by 0.25 um", "out     slip by 2 um", "a path without sliding"},
+       {"out     slip by 0.25 um", "out     slip by -2 um", "a path without sliding"},
+       {"out     slip by 0.25 um", "out     slip by 0.2 um", NULL});
   PAGE("4-oblique/oblique-impact-rigid",
        {"monitor   C", "sphere 1 m 1 m radius 1 mm steel\nmonitor   C", "one particle and one wall"},
        {"monitor   C", "wall far 1 m 1 m to 2 m 1 m steel\nmonitor   C", "one particle and one wall"});
@@ -237,6 +254,8 @@ static void impacts(void) {
        {"monitor   C", "sphere 1 m 1 m radius 1 mm $of\nmonitor   C", "another sphere or a wall"},
        {"0.01 of collision", "0.1 of rayleigh", "duration of the collision"});
   PAGE("8-published/mfix-dem-03", {"gravity   0 m/s2", "gravity   0.1 m/s2", "vertical gravity"},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "-2 mm 0 mm    to 2 mm 0.01 mm ", "two horizontal walls"},
+       {"1.35 mm  radius 0.5 mm  light", "1.35 mm  radius 0.5 mm  light velocity 0 m/s -1 m/s", NULL},
        {"monitor   A", "sphere 9 m 9 m radius 1 mm light\nmonitor   A", "two spheres"},
        {"monitor   A", "wall far 9 m 9 m to 8 m 9 m light\nmonitor   A", "two spheres"},
        {"sphere    0 mm 1.35 mm", "sphere    0.001 mm 1.35 mm", "vertically below"});
@@ -296,6 +315,33 @@ static void lattices(void) {
        {"step      1e-3", "step 0.1 of stable", "steps given as times"},
        {"shear     linear", "shear     none", "linear springs"},
        {"from 1 1  radius 1  spacing $s", "from 1 1  radius 0.9  spacing $s", "touches four or six"});
+  PAGE("6-lattices/lattice-hertz", {"shear     none", "shear     linear", "or elastic spheres without shear"},
+       {"normal    hertz", "normal    linear", "linear springs, or"},
+       {"(10*sqrt(3)) mm", "(10.001*sqrt(3)) mm", "a lattice that fills the cell"});
+  PAGE("6-lattices/ring-strain-literal",
+       {"step      0.01", "damping con1 0.9 as all\nstep 0.01", "for `accumulated` without damping"},
+       {"sphere    3 2     radius 1  m", "sphere    3 2     radius 1  m velocity 1e-9 0",
+        "for `accumulated` without damping"});
+  PAGE("1-two-discs/two-wall-statics",
+       {"wall      east   200 0  to 200 100", "wall      east   900 0  to 900 100", "with one wall behind each"},
+       {"wall      west   0 0    to 0 100 ", "wall      west   -900 0  to -900 100 ", "with one wall behind each"},
+       {"normal    linear",
+        "pair x plate ks 1e9 friction 0.5\nwall low 0 0 to 200 0 plate\nnormal linear\nshear linear",
+        "exert no shear force"},
+       {"normal    linear", "pair x plate ks 1e9 friction 0\nwall low 0 0 to 200 0 plate\nnormal linear\nshear linear",
+        NULL},
+       {"disc      150 50 ", "disc      900 50 ", "with one wall behind each"},
+       {"walls     stop\n", "", "stage rest moves them until a condition holds"},
+       {"velocity -0.12 0", "velocity -0.12000001 0", "equal speeds"},
+       {"0.05 of single-contact", "0.05 of stable", "as a time or as a fraction"});
+  PAGE("5-numerics/step-limit", {"box       0 0 to $w $h", "box -9 -9 to 99 99", NULL},
+       {"lattice   discs $nx by $ny  radius 1  rock\n", "disc 5 1 radius 0.5 rock\n", "there are no contacts"},
+       {"lattice   discs $nx by $ny  radius 1  rock\n", "lattice discs 40 by 26 from -300 -300 radius 1 rock\n",
+        "up to 1000 particles, not for 1040"},
+       {"lattice   discs $nx by $ny  radius 1  rock\n",
+        "disc 5 1 radius 0.5 rock fixed\ndisc 5.9 1 radius 0.5 rock fixed\n", "there are no contacts"});
+  PAGE("../tests/variants/three-discs-statics", {"reference  nine_discs_statics", "reference  nine_discs_slip", NULL},
+       {"friction 4", "friction 0.1", "do not slip; the contact of particle 1 with particle 2 slips at cycle"});
   PAGE("6-lattices/lattice-waves", {"stage     oscillate", "stage more\ncycles 1\nstage     oscillate", "one stage"},
        {"lattice   discs", "disc 0.5 0.5 radius 0.1 glass\nlattice   discs", "equal particles"},
        {"friction 1e9", "friction 1e5", "at least 1e6"},

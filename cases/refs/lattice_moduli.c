@@ -91,8 +91,6 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
   *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
   it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
   it->pair = matter_pair(scene, first->material, first->material);
-  if (scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
-    return refuse(error, "an upright periodic cell");
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
         scene->particles[k].shape != first->shape || scene->particles[k].vx != 0 || scene->particles[k].vy != 0)

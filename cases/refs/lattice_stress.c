@@ -18,7 +18,6 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
-#include <string.h>
 
 #include "reference.h"
 
@@ -47,7 +46,7 @@ static bool find_lattice(struct lattice *lattice, const struct nb_scene *scene) 
     const double x = b[k].x - b[0].x, y = b[k].y - b[0].y;
     const double i = (x * lattice->y2 - y * lattice->x2) / lattice->area;
     const double j = (lattice->x1 * y - lattice->y1 * x) / lattice->area;
-    if (fabs(i - round(i)) > 1e-9 || fabs(j - round(j)) > 1e-9 || b[k].radius != b[0].radius || b[k].shape != NB_DISC ||
+    if (fabs(i - round(i)) > 1e-9 || fabs(j - round(j)) > 1e-9 || b[k].radius != b[0].radius ||
         b[k].material != b[0].material)
       return false;
   }
@@ -95,7 +94,7 @@ static void add_region(struct nb_solution *solution, const char *name, const str
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  if (!find_lattice(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
+  if (!find_lattice(&lattice, scene))
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `lattice_stress` is for equal discs with linear springs in a lattice, without walls");

@@ -105,7 +105,7 @@ static void advance(struct piece *const now[3], const struct lattice *lattice, c
 
 /* True: the scene is a square lattice of equal discs in a cell, and the reference covers its stages. */
 static bool fits(const struct nb_scene *scene) {
-  bool right = scene->step.kind == NB_STEP_TIME && scene->cell.h[1] == 0 && scene->cell.h[2] == 0;
+  bool right = scene->step.kind == NB_STEP_TIME;
   for (size_t b = 0; b < scene->particle_count && right; b++) {
     const struct nb_particle *particle = &scene->particles[b], *first = &scene->particles[0];
     const double spacing = sqrt(scene->cell.h[0] * scene->cell.h[3] / (double)scene->particle_count);
