@@ -352,9 +352,28 @@ static void other_laws_are_refused(void) {
       scene.scene.normal_line = scene.scene.shear_line = LINE;
       const enum nb_status any = strcmp(laws, NB_ANY_LAW) == 0 ? NB_OK : NB_BAD_USE;
       CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), any);
-      if (any != NB_OK)
+      if (any != NB_OK) {
         CU_ASSERT_PTR_NOT_NULL(strstr(error.text, shear ? "`shear line` (line 12)" : "`normal line` (line 12)"));
+        CU_ASSERT_STRING_EQUAL(shown_features(error.text), ""); /* only laws are listed */
+      }
     }
+}
+
+/* A law of any stage, from the line of the stage. */
+static void other_laws_in_stages(void) {
+  const struct nb_reference *const reference = nb_reference_find("changed_law");
+  for (int k = 0; k < 4; k++) {
+    struct refs_scene scene;
+    struct nb_error error = {0};
+    struct nb_laws *const laws = &scene.stages[k / 2].laws;
+    scene_with(&scene, reference, HAS_NOTHING);
+    strcpy(k % 2 ? laws->shear : laws->normal, "randall");
+    laws->normal_line = LINE + k, laws->shear_line = LINE + k + 1;
+    CU_ASSERT_EQUAL(nb_reference_covers(reference, &scene.scene, &error), NB_BAD_USE);
+    char expected[64];
+    snprintf(expected, sizeof expected, "`%s randall` (line %d); it", k % 2 ? "shear" : "normal", LINE + k + k % 2);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, expected));
+  }
 }
 
 static void every_feature_has_a_name(void) {
@@ -371,5 +390,6 @@ void suite_refs_covers(void) {
   CU_add_test(suite, "features that a reference does not list are refused", unlisted_features_are_refused);
   CU_add_test(suite, "scenes without a needed feature are refused", missing_features_are_refused);
   CU_add_test(suite, "other laws are refused", other_laws_are_refused);
+  CU_ADD_TEST(suite, other_laws_in_stages);
   CU_add_test(suite, "one message names all that a reference does not cover", all_uncovered_words_are_named);
 }

@@ -61,6 +61,7 @@ static void features_of_particles_and_walls(void) {
     HAS((it.walls->spin = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_TURNING_WALLS,
         HAS_NOTHING);
   }
+  HAS((particle[1].line = LATER, scene->particle_count = 2), HAS_NOTHING); /* the first disc is from line 0 */
   /* If two particles have a feature, the line of the first one counts. */
   HAS((particle[0].fixed = particle[1].fixed = 3, particle[0].line = LINE, particle[1].line = LATER,
        scene->particle_count = 2),
@@ -84,6 +85,7 @@ static void features_of_contacts(void) {
       HAS_WALLS, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
   HAS((stage->changes = &has_friction, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_FRICTION, HAS_NOTHING);
   HAS((stage->changes = &sticks, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
+  HAS((stage[-1].changes = &sticks, stage[-1].change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
   HAS((stage->changes = &swells, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_RAMP, HAS_NOTHING);
   HAS((strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE), HAS_LAW_CHANGE, HAS_NOTHING);
   HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_MEMORY, HAS_NOTHING);
@@ -113,6 +115,7 @@ static void features_of_damping(void) {
     struct nb_damping damps = {.contact_kind = kinds[kind], .contact = 0.1, .contact_line = LINE};
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, feature, HAS_NOTHING);
     HAS((stage->damping = damps, stage->line = LINE), feature, HAS_DAMPING_CHANGE, HAS_NOTHING);
+    HAS((scene->damping = damps, stage[-1].line = LINE), feature, HAS_DAMPING_CHANGE, HAS_NOTHING);
     HAS((scene->damping = stage[-1].damping = damps, stage->line = LINE), feature, HAS_DAMPING_CHANGE, HAS_NOTHING);
     damps.contact = 0;
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, HAS_NOTHING);

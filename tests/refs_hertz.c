@@ -24,6 +24,9 @@ static void make_impact(struct refs_scene *it, bool wall, double damping) {
   it->walls[0] =
       (struct nb_wall){.x = (0.01 + gap) * ex, .y = (0.01 + gap) * ey, .ex = -ey, .ey = ex, .h1 = -1, .h2 = 1};
   it->walls[0].vx = -ex, it->walls[0].vy = -ey, it->walls[0].material = 1;
+  for (int k = 0; k < 2; k++)
+    it->particles[k].x += 0.003, it->particles[k].y -= 0.002;
+  it->walls[0].x += 0.003 + 0.004 * -ey, it->walls[0].y += -0.002 + 0.004 * ex; /* P is not at the point of impact */
   strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
   it->monitors[0] =
       (struct nb_monitor){.name = "C", .kind = wall ? NB_MONITOR_PARTICLE_WALL : NB_MONITOR_PARTICLE_PARTICLE};
@@ -171,6 +174,132 @@ static void energy_lost_by_increments(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));
 }
 
+/* zeta(-3/2, a) by the Euler-Maclaurin formula after a hundred terms. */
+static double hurwitz(double a) {
+  const long double x = 100 + (long double)a;
+  long double sum = 0;
+  for (int k = 0; k < 100; k++)
+    sum += powl(k + (long double)a, 1.5L);
+  return (double)(sum - powl(x, 2.5L) / 2.5L + powl(x, 1.5L) / 2 - sqrtl(x) / 8 - powl(x, -1.5L) / 1920);
+}
+
+/* The formulas of hertz_corner.h for twenty steps per collision: the first contact is 2.3 + phase steps after the start. */
+static void restitution_and_duration_in_steps(void) {
+  for (int k = 0; k < 4; k++) {
+    struct refs_scene it;
+    const double phase = 0.2 * k;
+    make_impact(&it, k % 2, 0);
+    struct nb_solution exact = refs_solution("hertz_impact", &it);
+    const double duration = refs_value(&exact, "impact.duration"), depth = refs_value(&exact, "C.overlap max");
+    const double dt = duration / 20.4, f = 2 * dt / depth; /* the speed is 2 */
+    it.scene.step.value = it.stages[0].step.value = dt;
+    it.scene.impact = (struct nb_impact){.phase = phase, .line = k};
+    struct nb_solution solution = refs_solution("hertz_phase", &it);
+    const double shorter = 11. / 96 * tgamma(1.6) * tgamma(0.5) / tgamma(2.1) * f;
+    const double in = 5e-6 / dt + (k ? phase : 0), out = in + 20.4 - shorter;
+    const double error = 1.25 * pow(f, 2.5) * (hurwitz(out - floor(out)) - hurwitz(ceil(in) - in));
+    REFS_NEAR(refs_value(&solution, "impact.duration"), duration - shorter * dt, 1e-9, dt);
+    REFS_NEAR(refs_value(&solution, "impact.restitution") - 1, error, 1e-6, pow(f, 2.5));
+    solution_free(&solution), solution_free(&exact);
+  }
+}
+
+/* The damping ratio is that of `damping walls` at a wall and the other one between spheres. */
+static void dashpots_at_walls(void) {
+  for (int wall = 0; wall < 2; wall++) {
+    struct refs_scene it;
+    make_impact(&it, wall, 0.3);
+    it.scene.damping.walls_separate = true, it.scene.damping.walls_kind = NB_CONTACT_RATIO,
+    it.scene.damping.walls = 0.1, it.stages[0].damping = it.scene.damping;
+    struct nb_solution solution = refs_solution("hertz_damped", &it);
+    REFS_NEAR(refs_value(&solution, "impact.restitution"), hertz_restitution(wall ? 0.1 : 0.3), 1e-11, 1.);
+    solution_free(&solution);
+  }
+  /* without a rebound: z = 1, and the inverse of e = 0 */
+  CU_ASSERT(hertz_restitution(sqrt(5. / 6) * 1.0001) == 0 && hertz_restitution(2) == 0);
+  NEAR(hertz_ratio(0), sqrt(5. / 6), 1e-15);
+}
+
+/* Critical damping beyond the overlap 0.1 of the smaller diameter: the equation of motion by the midpoint rule. */
+static void critical_damping_beyond_an_overlap(void) {
+  for (int k = 0; k < 5; k++) { /* a wall; a smaller, a larger and a fixed second sphere; a limit that is not reached */
+    struct refs_scene it;
+    make_impact(&it, k == 0, 0.2);
+    it.particles[1].radius = k == 1 ? 0.008 : 0.012, it.particles[1].fixed = k == 3;
+    it.particles[1].x = 0.003 + (0.01 + it.particles[1].radius) * 0.6;
+    it.particles[1].y = -0.002 - (0.01 + it.particles[1].radius) * 0.8;
+    it.walls[0].x -= 1e-5 * 0.6, it.walls[0].y += 1e-5 * 0.8; /* without a gap */
+    const double r2 = it.particles[1].radius, smaller = k == 1 ? 0.008 : 0.01;
+    const double m1 = 4 * M_PI / 3 * 1e-6 * 7800, m2 = 4 * M_PI / 3 * r2 * r2 * r2 * 2650;
+    const double m = k == 0 || k == 3 ? m1 : m1 * m2 / (m1 + m2), r = k == 0 ? 0.01 : 0.01 * r2 / (0.01 + r2);
+    const double young = 1 / (0.91 / 210e9 + 0.9375 / 70e9), stiffness = 4. / 3 * young * sqrt(r);
+    const double deep = pow(5 * m * 4 / (4 * stiffness), 0.4), limit = (k == 4 ? 2 : 0.4) * deep, dt = 1e-5 * deep;
+    it.scene.damping.deep = limit / (2 * smaller), it.scene.damping.deep_line = 1;
+    it.stages[0].damping = it.scene.damping;
+    double s = 0, v = 2, t = 0, largest = 0;
+    while (s >= 0 && t < 1) {
+      double speed = v, at = s;
+      for (int half = 0; half < 2; half++) {
+        const double beta = at > limit ? 1 : 0.2, root = sqrt(fmax(at, 0));
+        const double a =
+            -(stiffness * fmax(at, 0) * root + 2 * beta * sqrt(m * 2 * young * sqrt(r) * root) * speed) / m;
+        at = s + (half ? dt : dt / 2) * (half ? speed : v), speed = v + (half ? dt : dt / 2) * a;
+      }
+      s = at, v = speed, t += dt, largest = fmax(largest, s);
+    }
+    struct nb_solution solution = refs_solution("hertz_deep", &it);
+    REFS_NEAR(refs_value(&solution, "C.overlap max"), largest, 1e-4, deep);
+    REFS_NEAR(refs_value(&solution, "impact.duration"), t, 1e-4, deep);
+    REFS_NEAR(refs_value(&solution, "impact.restitution"), -v / 2, 1e-4, 1.);
+    CU_ASSERT_EQUAL(solution.value_count, 3);
+    solution_free(&solution);
+  }
+}
+
+/* Values at the end of each stage, until a stage ends with a condition or has another step. */
+static void values_of_stages(void) {
+  static struct nb_condition condition;
+  for (int k = 0; k < 4; k++) {
+    struct refs_scene it;
+    struct nb_stage stages[4];
+    char name[32];
+    make_impact(&it, false, 0);
+    struct nb_solution whole = refs_solution("hertz_impact", &it);
+    /* the largest overlap is at 5 us + T_c/2, in the middle of the second stage; each stage is 0.6 of that time */
+    const double middle = 5e-6 + refs_value(&whole, "impact.duration") / 2;
+    it.scene.step.value = it.stages[0].step.value = 0.06 * middle, it.stages[0].cycles = 10;
+    for (int s = 0; s < 4; s++)
+      stages[s] = it.stages[0], snprintf(stages[s].name, sizeof stages[s].name, "s%d", s);
+    if (k == 1)
+      stages[2].conditions = &condition, stages[2].condition_count = 1;
+    if (k == 2)
+      stages[2].step.value *= 1.001;
+    if (k == 3)
+      stages[2].step.kind = NB_STEP_STABLE;
+    it.scene.stages = stages;
+    struct nb_solution solution = {0};
+    struct nb_error error = {0};
+    it.scene.stage_count = 3;
+    /* Steps in stages are no features of these references, so `solve` is called without the comparison of features. */
+    CU_ASSERT_EQUAL(nb_reference_find("hertz_impact")->solve(&solution, &it.scene, &error), NB_OK);
+    const int last = k ? 2 : 3;
+    for (int s = 0; s < 4; s++) {
+      snprintf(name, sizeof name, "C.overlap in s%d", s);
+      CU_ASSERT_EQUAL(solution_find(&solution, name) != NULL, s < last);
+      if (s < last)
+        REFS_NEAR(refs_value(&solution, name), at(&whole, "C.overlap", (s + 1) * 0.6 * middle), 1e-11, middle);
+      snprintf(name, sizeof name, "C.normal in s%d", s);
+      if (s < last)
+        NEAR(refs_value(&solution, name), at(&whole, "C.normal", (s + 1) * 0.6 * middle), 1e-9);
+      snprintf(name, sizeof name, "C.overlap max in s%d", s);
+      CU_ASSERT_EQUAL(solution_find(&solution, name) != NULL, s == 1);
+    }
+    NEAR(refs_value(&solution, "C.normal max in s1"), refs_value(&whole, "C.normal max"), 1e-12);
+    NEAR(refs_value(&solution, "C.overlap max in s1"), refs_value(&whole, "C.overlap max"), 1e-12);
+    solution_free(&solution), solution_free(&whole);
+  }
+}
+
 /* Two spheres of different size between two walls, which move towards each other with equal speeds. When the upper wall
  * has moved from y0 down to y, the walls have approached by s = 2 (y0 - y). */
 static void make_column(struct refs_scene *it) {
@@ -254,6 +383,82 @@ static void overdamped_contacts_at_late_times(void) {
   solution_free(&solution);
 }
 
+/* The whole message of a scene with one change. */
+static void check_message(const char *reference, const struct refs_scene *it, const char *what) {
+  char text[256];
+  snprintf(text, sizeof text, "the reference `%s` is for %s", reference, what);
+  CU_ASSERT_STRING_EQUAL(refs_refused(reference, it).text, text);
+}
+
+/* Each condition of hertz_read at both edges. */
+static void edges_of_impacts(void) {
+  static const char head_on[] = "particles that collide head-on and do not overlap at first";
+  struct refs_scene it;
+#define HIT(wall, change, message)                                                                                     \
+  do {                                                                                                                 \
+    make_impact(&it, wall, 0);                                                                                         \
+    change;                                                                                                            \
+    const char *const refused = message;                                                                               \
+    if (refused) {                                                                                                     \
+      check_message("hertz_phase", &it, refused);                                                                      \
+    } else {                                                                                                           \
+      struct nb_solution solution = refs_solution("hertz_phase", &it);                                                 \
+      solution_free(&solution);                                                                                        \
+    }                                                                                                                  \
+  } while (0)
+  static const char other[] = "a free sphere that strikes another sphere or a wall";
+  HIT(false, it.scene.particle_count = 1, other);
+  HIT(false, it.scene.wall_count = 1, other);
+  HIT(true, (it.scene.particle_count = 0, it.scene.wall_count = 2), other);
+  HIT(false, it.particles[0].fixed = 3, other);
+  HIT(false, it.particles[1].fixed = 3, NULL);
+  HIT(true, (it.stages[0].motions = it.motions, it.stages[0].motion_count = 1),
+      "a wall whose velocity no stage changes");
+  HIT(true,
+      (it.stages[1] = it.stages[0], it.scene.stage_count = 2, it.stages[1].motions = it.motions,
+       it.stages[1].motion_count = 1),
+      "a wall whose velocity no stage changes");
+  HIT(false, it.materials[0].young = it.materials[1].young = INFINITY, "elastic spheres, whose materials have `young`");
+  HIT(false, it.materials[0].young = 0, "elastic spheres, whose materials have `young`");
+  HIT(false, it.particles[0].vx *= -3, head_on);
+  HIT(false, (it.particles[0].vx *= -1, it.particles[0].vy *= -1), head_on); /* no relative velocity */
+  HIT(false, (it.particles[0].vx *= -2, it.particles[0].vy *= -2), head_on); /* they separate */
+  HIT(false, (it.particles[0].vx += 0.8e-11, it.particles[0].vy += 0.6e-11), head_on);
+  HIT(false, (it.particles[0].vx -= 0.8e-11, it.particles[0].vy -= 0.6e-11), head_on);
+  HIT(false, (it.particles[0].vx += 0.8e-12, it.particles[0].vy += 0.6e-12), NULL);
+  HIT(false, (it.particles[0].x += 1.1e-5 * 0.6, it.particles[0].y -= 1.1e-5 * 0.8), head_on);
+  HIT(false, (it.particles[0].x += 0.9e-5 * 0.6, it.particles[0].y -= 0.9e-5 * 0.8), NULL);
+  HIT(false, (it.particles[0].x += 1e-5 * 0.6 + 3e-13, it.particles[0].y -= 1e-5 * 0.8 + 4e-13), head_on);
+  HIT(false, (it.particles[0].x += 1e-5 * 0.6 + 3e-15, it.particles[0].y -= 1e-5 * 0.8 + 4e-15), NULL);
+  HIT(false,
+      (it.particles[0].vx *= 0.1, it.particles[0].vy *= 0.1, it.particles[1].vx *= 0.1, it.particles[1].vy *= 0.1),
+      NULL);
+  HIT(true, it.walls[0].h1 = -0.0041, NULL);
+  HIT(true, it.walls[0].h1 = -0.0039, head_on);
+  HIT(true, it.walls[0].h2 = -0.0039, NULL);
+  HIT(true, it.walls[0].h2 = -0.0041, head_on);
+  HIT(true,
+      (it.scene.step.kind = it.stages[0].step.kind = NB_STEP_COLLISION, it.scene.step.value = 0.01,
+       it.stages[0].step.value = 0.01),
+      NULL);
+  HIT(true, it.scene.step.kind = it.stages[0].step.kind = NB_STEP_SINGLE_CONTACT,
+      "a step given as a time or as a fraction of the duration of the collision");
+#undef HIT
+  make_impact(&it, false, 0.1);
+  it.scene.damping.deep_line = it.stages[0].damping.deep_line = 0;
+  it.scene.damping.deep = it.stages[0].damping.deep = 0.1;
+  it.particles[0].fixed = true;
+  check_message("hertz_deep", &it, other);
+  make_impact(&it, false, 0.1);
+  it.particles[0].fixed = true;
+  check_message("hertz_damped", &it, other);
+  make_impact(&it, false, 0);
+  it.particles[0].fixed = true;
+  check_message("hertz_impact", &it, other);
+  strcpy(it.scene.normal, "hertz_increment");
+  check_message("hertz_increment", &it, other);
+}
+
 static void other_impacts_are_refused(void) {
   struct refs_scene it;
   make_impact(&it, false, 0.1);
@@ -293,4 +498,9 @@ void suite_refs_hertz(void) {
   CU_add_test(suite, "a column is in equilibrium", column_is_in_equilibrium);
   CU_add_test(suite, "overdamped contacts at late times", overdamped_contacts_at_late_times);
   CU_add_test(suite, "other impacts are refused", other_impacts_are_refused);
+  CU_ADD_TEST(suite, edges_of_impacts);
+  CU_ADD_TEST(suite, restitution_and_duration_in_steps);
+  CU_ADD_TEST(suite, dashpots_at_walls);
+  CU_ADD_TEST(suite, critical_damping_beyond_an_overlap);
+  CU_ADD_TEST(suite, values_of_stages);
 }

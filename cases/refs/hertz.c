@@ -43,13 +43,13 @@ static bool steady(const struct nb_scene *scene) {
 }
 
 /* Reads the direction, the speed and the beginning of the impact. False: the particles do not approach head-on, they
- * spin or overlap at first, or the wall rotates or ends before the point of impact. */
+ * overlap at first, or the wall ends before the point of impact. */
 static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
   if (!b) { /* the foot of the perpendicular must lie on the wall */
     const double s = -(x * wall->ex + y * wall->ey);
-    if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0)
+    if (!(s > wall->h1 && s < wall->h2))
       return false;
     x += s * wall->ex, y += s * wall->ey;
   }
@@ -59,8 +59,7 @@ static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   hertz->speed = vx * hertz->ex + vy * hertz->ey;
   const double gap = distance - a->radius - (b ? b->radius : 0);
   hertz->begin = gap / hertz->speed;
-  return hertz->speed > 0 && fabs(vx * hertz->ey - vy * hertz->ex) < 1e-12 * v && a->spin == 0 &&
-         (!b || b->spin == 0) && gap > -1e-12 * a->radius;
+  return hertz->speed > 0 && fabs(vx * hertz->ey - vy * hertz->ex) < 1e-12 * v && gap > -1e-12 * a->radius;
 }
 
 /* Computes the other members from masses, moduli and speed. */
@@ -73,8 +72,7 @@ static void solve_equations(struct hertz *hertz) {
 
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error) {
-  if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1 || scene->particles[0].fixed ||
-      scene->particles[0].shape != NB_SPHERE)
+  if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1 || scene->particles[0].fixed)
     return refuse(reference, "a free sphere that strikes another sphere or a wall", error);
   if (!steady(scene))
     return refuse(reference, "a wall whose velocity no stage changes", error);
@@ -84,10 +82,10 @@ enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, con
   hertz->mass = 1 / (1 / matter_mass(scene, a) + (b && !b->fixed ? 1 / matter_mass(scene, b) : 0));
   hertz->radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   hertz->young = matter_pair(scene, a->material, b ? b->material : wall->material).young;
-  if (!(hertz->young > 0) || !isfinite(hertz->young) || (b && b->shape != NB_SPHERE))
+  if (!(hertz->young > 0) || !isfinite(hertz->young))
     return refuse(reference, "elastic spheres, whose materials have `young`", error);
   if (!read_impact(hertz, wall))
-    return refuse(reference, "particles without spin that collide head-on and do not overlap at first", error);
+    return refuse(reference, "particles that collide head-on and do not overlap at first", error);
   solve_equations(hertz);
   hertz->step = scene->step.kind == NB_STEP_COLLISION ? scene->step.value * hertz->duration : scene->step.value;
   if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_COLLISION)

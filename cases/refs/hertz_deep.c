@@ -28,8 +28,6 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double smaller = b && b->radius < a->radius ? b->radius : a->radius;
   const double limit = scene->damping.deep * 2 * smaller / hertz.depth, beta = hertz.damping;
   double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS] = {0};
-  if (!(limit > 0))
-    return nb_error_set(error, NB_BAD_USE, "the reference `hertz_deep` is for `damping critical beyond overlap`");
   double trial[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT;
   bool solved = integrate_to_rebound(trial, beta, 0, deepest);
   if (solved && deepest[HERTZ_OVERLAP] > limit)
