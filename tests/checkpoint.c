@@ -190,6 +190,8 @@ static const char *const scenes[] = {
     "0\ncycles "
     "50\n",
     "stage coarse\nstep 0.1\nallow unstable\ncycles 8\n",
+    "region B all from more\nrecord B.strain.yy B.contacts.lost\nboundary circle 3 3 radius 2.4\nstage shear\n"
+    "boundary strain -4e-3 per cycle 2e-3 per cycle\ncycles 10\nstage more\ncycles 40\n",
 };
 
 /* Elastic spheres. In the first scene the overlaps are beyond the range of the theory. In the second one they grow so

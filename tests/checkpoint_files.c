@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -260,6 +261,73 @@ static void a_run_that_is_stopped(void) {
   CU_ASSERT_TRUE(nb_checkpoint_stops(&checkpoint));
 }
 
+/* Saves an integer of a type, and restores this number in its place. Returns whether it is taken, with its value. */
+#define RESTORES(type)                                                                                                 \
+  static bool restores_##type(double value) {                                                                          \
+    type it = 0;                                                                                                       \
+    struct nb_store store = {0};                                                                                       \
+    NB_STORE_INTEGERS(&store, "it", &it, 1);                                                                           \
+    store.values[0] = value, store.restoring = true;                                                                   \
+    NB_STORE_INTEGERS(&store, "it", &it, 1);                                                                           \
+    const bool taken = !store.failed;                                                                                  \
+    CU_ASSERT(!taken || !(value >= 0) || ((double)it >= value && (double)it <= value));                                \
+    nb_store_free(&store);                                                                                             \
+    return taken;                                                                                                      \
+  }
+typedef unsigned char byte;
+RESTORES(bool)
+RESTORES(byte)
+RESTORES(int)
+RESTORES(unsigned)
+RESTORES(size_t)
+#undef RESTORES
+
+/* A number of a checkpoint must be an integer in the range of its type; for 8 bytes, one that a double represents. */
+static void integers_of_a_checkpoint(void) {
+  static const struct {
+    bool (*restores)(double value);
+    double most;
+  } types[] = {{restores_bool, 1},
+               {restores_byte, 255},
+               {restores_int, 2147483647},
+               {restores_unsigned, 2147483647},
+               {restores_size_t, 0x1p53}};
+  for (size_t k = 0; k < sizeof types / sizeof *types; k++) {
+    CU_ASSERT(types[k].restores(0) && types[k].restores(1) && types[k].restores(types[k].most));
+    CU_ASSERT_FALSE(types[k].restores(types[k].most + (k == 4 ? 2 : 1)));
+    CU_ASSERT_FALSE(types[k].restores(0.5));
+    CU_ASSERT_FALSE(types[k].restores(NAN));
+    CU_ASSERT(k > 1 || !types[k].restores(-1));
+  }
+  CU_ASSERT(restores_int(-2147483647) && !restores_int(-2147483648.));
+}
+
+/* The parts of a checkpoint are read in their order, each with its name and its length. */
+static void parts_of_a_checkpoint(void) {
+  static const struct {
+    const char *name;
+    size_t count;
+    bool taken;
+  } rows[] = {{"two", 2, true}, {"two", 1, false}, {"two", 3, false}, {"one", 1, false}, {"twos", 2, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_store store = {0};
+    double out[] = {5, 7, 0}, in[] = {1, 2, 3};
+    nb_store_doubles(&store, "two", out, 2), nb_store_doubles(&store, "one", out, 1);
+    CU_ASSERT_EQUAL(nb_store_length(&store, "any", 6), 6);
+    CU_ASSERT(nb_store_find(&store, "one") == &store.parts[1] && !nb_store_find(&store, "on"));
+    store.restoring = true;
+    CU_ASSERT_EQUAL(nb_store_length(&store, rows[k].name, 6), strcmp(rows[k].name, "two") == 0 ? 2 : 0);
+    nb_store_doubles(&store, rows[k].name, in, rows[k].count);
+    CU_ASSERT_EQUAL(!store.failed, rows[k].taken);
+    CU_ASSERT(in[0] == (rows[k].taken ? 5 : 1) && in[1] == (rows[k].taken ? 7 : 2) && in[2] == 3);
+    nb_store_doubles(&store, "one", in, 1);
+    CU_ASSERT_EQUAL(!store.failed, rows[k].taken);
+    nb_store_doubles(&store, "one", in, 1); /* there are two parts */
+    CU_ASSERT(store.failed && nb_store_length(&store, "one", 6) == 0);
+    nb_store_free(&store);
+  }
+}
+
 static int make_folder(void) { return mkdtemp(folder) == NULL; }
 static int remove_folder(void) { return rmdir(folder); }
 
@@ -273,4 +341,6 @@ void suite_checkpoint_files(void) {
   CU_ADD_TEST(suite, a_page_that_has_changed);
   CU_ADD_TEST(suite, times_of_checkpoints);
   CU_ADD_TEST(suite, a_run_that_is_stopped);
+  CU_ADD_TEST(suite, integers_of_a_checkpoint);
+  CU_ADD_TEST(suite, parts_of_a_checkpoint);
 }

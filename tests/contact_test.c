@@ -5,6 +5,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 #include "../src/measure/snapshot.h"
 #include "../src/run/contact_test.h"
@@ -150,6 +151,86 @@ static void unreachable_forces_stop_the_run(void) {
   expect_stop(STEEL "segment a normal to 10 N in 1 step\nsegment b shear to -1 N in 1 step\n",
               "segment `b` (line 7), step 1 of 1: a shear force of -1 N cannot be reached; the force is 0 N; friction "
               "times the normal force, plus cohesion, is 3 N");
+  expect_stop("path\nunits none\nmaterial rock kn 100 ks 80 friction 0.25 cohesion 3\ncontact disc 1 rock with disc 1 "
+              "rock\nnormal linear\nshear linear\nsegment press normal to 8\nsegment slide shear to -9 in 3 steps\n",
+              "segment `slide` (line 8), step 2 of 3: a shear force of -6 cannot be reached; the force is -5; friction "
+              "times the normal force, plus cohesion, is 5"); /* 0.25 x 8 + 3 */
+}
+
+/* A shear force at the friction limit that the page gives in decimal, 0.3 N, may exceed the product of the program by
+ * rounding. It counts as reached, in both directions. */
+static void a_limit_with_rounding_is_reached(void) {
+  for (int k = 1; k <= 40; k++)
+    for (int sign = -1; sign < 2; sign += 2) {
+      char text[1024];
+      struct written it;
+      struct nb_result result;
+      snprintf(text, sizeof text, EXACT "segment a normal to %d.%d N in 1 step\nsegment b shear to %g N in 1 step\n", k,
+               k % 10, sign * 0.3 * (k + k % 10 / 10.));
+      run(&result, &it, text);
+      CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 4), sign * 0.3 * (k + k % 10 / 10.), 1e-11);
+      done(&result, &it);
+    }
+}
+
+/* A force is sought within twice the smaller radius, here 2, and needs the displacement 5 on a spring of stiffness
+ * 1. */
+static void forces_are_sought_within_the_smaller_diameter(void) {
+  static const struct {
+    const char *radii[2];
+    bool reached;
+  } rows[] = {{{"10", "1"}, false}, {{"1", "10"}, false}, {{"10", "10"}, true}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(&page,
+              "path\nunits none\nmaterial a kn 1\ncontact disc %s a with disc %s a\nnormal linear\nrecord normal\n"
+              "segment a normal to 5 in 1 step\n",
+              rows[k].radii[0], rows[k].radii[1]);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), rows[k].reached ? NB_OK : NB_BROKEN);
+    CU_ASSERT(rows[k].reached || strstr(error.text, "a normal force of 5 cannot be reached"));
+    done(&result, &it);
+  }
+}
+
+/* The stiffness of two materials is 2ab/(a+b) of their stiffnesses, here 100 and 300. */
+static void a_contact_of_two_materials(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "path\nunits none\nmaterial a kn 100\nmaterial b kn 300\ncontact disc 1 a with disc 1 b\nnormal linear\nrecord "
+      "normal\nsegment press overlap to 0.5 in 2 steps\nsegment more overlap to 0.75 in 1 step\n");
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 0), 150 * 0.5, 1e-12);
+  CU_ASSERT(result.stages[0].cycles == 2 && result.stages[0].updates == 2);
+  CU_ASSERT(result.stages[1].cycles == 1 && result.stages[1].updates == 1);
+  CU_ASSERT(result.cycles == 3 && result.updates == 3);
+  done(&result, &it);
+}
+
+/* Waits for longer than the time between two reports of progress, so that each step is reported. */
+static void add_report(void *data, const char *segment, double fraction, double seconds) {
+  char *text = data;
+  CU_ASSERT(seconds >= 0);
+  snprintf(text + strlen(text), 64 - strlen(text), "%s %g, ", segment, fraction);
+  nanosleep(&(struct timespec){.tv_nsec = 110000000}, NULL);
+}
+
+/* The progress of a contact test is the part of its segments that is done. */
+static void progress_of_segments(void) {
+  char text[64] = "";
+  const struct nb_progress progress = {.call = add_report, .data = text};
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {0};
+  words_add(&page, STEEL "segment a overlap to 1 um in 2 steps\nsegment b overlap to 2 um in 1 step\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, &progress, &error), NB_OK);
+  CU_ASSERT_STRING_EQUAL(text, "a 0.25, a 0.5, b 1, ");
+  done(&result, &it);
 }
 
 /* Prescribed shear forces at the friction limit are reached to rounding. */
@@ -332,6 +413,10 @@ void suite_contact_test(void) {
   CU_add_test(suite, "a force between a sphere and a wall", a_force_between_a_sphere_and_a_wall);
   CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);
   CU_add_test(suite, "shear forces at the friction limit are reached", the_limit_is_reached);
+  CU_ADD_TEST(suite, a_limit_with_rounding_is_reached);
+  CU_ADD_TEST(suite, forces_are_sought_within_the_smaller_diameter);
+  CU_ADD_TEST(suite, a_contact_of_two_materials);
+  CU_ADD_TEST(suite, progress_of_segments);
   CU_add_test(suite, "cohesion raises the limit", cohesion_raises_the_limit);
   CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);

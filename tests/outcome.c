@@ -136,6 +136,39 @@ static void note_of_memory_size(void) {
   }
 }
 
+/* Each law that changes has a note, the normal law first. A stage that names the laws of the stage before has none. */
+static void notes_of_other_laws(void) {
+  static const struct {
+    const char *laws, *last; /* of the second stage; the last note */
+    int notes;
+  } rows[] = {
+      {"normal linear\nshear none\n", "", 0},
+      {"normal hertz\n",
+       "stage `two` begins with empty histories of the normal force, because its law is `normal hertz` instead "
+       "of `linear`",
+       1},
+      {"shear linear\nnormal hertz\n",
+       "stage `two` begins with empty histories of the shear force, because its law is `shear linear` instead of "
+       "`none`",
+       2}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct reports reports = {0};
+    const struct nb_progress progress = {call, note, &reports};
+    struct nb_outcome outcome;
+    char text[512];
+    snprintf(text, sizeof text,
+             "material m density 1 kg/m3 kn 1 N/m ks 1 N/m young 1 Pa poisson 0.25 friction 0.5\nshear none\n"
+             "sphere 0 m 0 m radius 1 m m velocity 1 m/s 0 m/s\nmonitor A sphere 1\nstep 1 ms\nrecord time A.x\n"
+             "stage one\ncycles 5\nstage two\n%scycles 5",
+             rows[k].laws);
+    carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL(reports.notes, rows[k].notes);
+    CU_ASSERT_STRING_EQUAL(reports.note, rows[k].last);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* Drops the warnings of overlaps at the start, which some of the following scenes need. */
 static void drop_overlaps(struct nb_warnings *warnings) {
   size_t kept = 0;
@@ -1425,6 +1458,7 @@ void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
+  CU_ADD_TEST(suite, notes_of_other_laws);
   CU_add_test(suite, "warnings of stages that end too early", warnings_of_ends);
   CU_add_test(suite, "warnings of stages that end too early propose a condition", warnings_of_ends_propose);
   CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",

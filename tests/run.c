@@ -411,6 +411,35 @@ static void parts_of_a_team(void) {
   nb_team_free(NULL);
 }
 
+/* A row of discs, each of which touches the next one. Each thread has at least 128 contacts, and each block at most
+ * 128. */
+static void threads_of_a_model(void) {
+  static const struct {
+    int contacts, given, used;
+  } rows[] = {{0, 4, 1},   {127, 4, 1}, {128, 4, 1}, {255, 4, 1}, {256, 4, 2}, {256, 1, 1},
+              {383, 4, 2}, {384, 4, 3}, {384, 2, 2}, {511, 4, 3}, {512, 4, 4}, {900, 4, 4}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\nlattice discs %d by 1 m radius 1 spacing 1.99 from 0 0\nstep "
+              "1e-3\nrecord time\nstage a\ncycles 1\n",
+              rows[k].contacts + 1);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, &(struct nb_options){.threads = rows[k].given});
+    const int blocks = (rows[k].contacts + 127) / 128;
+    CU_ASSERT_EQUAL(model->contacts.count, (size_t)rows[k].contacts);
+    CU_ASSERT_EQUAL(model->machine.threads_used, rows[k].used);
+    CU_ASSERT_EQUAL_FATAL(model->blocks.count, (size_t)blocks);
+    for (int b = 0; b < blocks; b++) {
+      CU_ASSERT_EQUAL(model->blocks.list[b].n, b + 1 < blocks ? 128 : (size_t)(rows[k].contacts - 128 * b));
+      CU_ASSERT(model->blocks.list[b].a == model->contacts.a + 128 * b);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* The number of threads is that of the options, but at most NB_THREADS. 0 stands for OpenMP's default. Without options
  * there is one thread. The options can name an instruction set that this machine has. If they name none, it is the
  * widest one of the machine. */
@@ -442,6 +471,11 @@ static void threads_and_instruction_set(void) {
     const enum nb_status status = nb_machine_choose(&model, &(struct nb_options){.isa = names[isa]}, &error);
     CU_ASSERT_EQUAL(status, isa <= widest ? NB_OK : NB_BAD_USE);
     CU_ASSERT(status || (int)model.machine.isa == isa);
+    char wanted[160] = "expected `--isa plain`, `avx2` or `avx512`, found `mmx`";
+    if (isa < 3)
+      snprintf(wanted, sizeof wanted, "this machine does not run `--isa %s`; the widest that it runs is `%s`",
+               names[isa], names[widest]);
+    CU_ASSERT(!status || strcmp(error.text, wanted) == 0);
   }
   CU_ASSERT_STRING_EQUAL(error.text, "expected `--isa plain`, `avx2` or `avx512`, found `mmx`");
 }
@@ -498,6 +532,7 @@ void suite_run(void) {
   CU_add_test(suite, "settings change the hash", settings_change_the_hash);
   CU_add_test(suite, "packings change the hash", packings_change_the_hash);
   CU_add_test(suite, "parts of a team", parts_of_a_team);
+  CU_ADD_TEST(suite, threads_of_a_model);
   CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
   CU_ADD_TEST(suite, a_state_of_other_particles_is_refused);
 }

@@ -337,6 +337,29 @@ static void every_crossing_stops_the_run(void) {
   through("disc 0 3 radius 1 m velocity 5 -2\nwall w -5 0 to 5 0 m velocity 5 -2 spin 0.01", NULL, 1000);
 }
 
+/* A particle or a wall that is too fast is found in each of the four directions along x and y and on both sides of the
+ * wall. In each scene the wall is on the x axis and the particle beside it at the place x, on the side y; all is then
+ * mirrored and rotated by multiples of 90 degrees. */
+static void crossings_in_all_directions(void) {
+  static const struct {
+    struct nb_vec x;
+    double speed, wall_speed, spin; /* of the particle towards the wall, of the wall towards the particle */
+  } rows[] = {{{1, 3}, 1000, 0, 0}, {{1, 3}, 0, 1000, 0}, {{90, 2}, 0, 0, 5}, {{-90, 2}, 0, 0, -5}};
+  for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
+    for (int k = 0; k < 8; k++) {
+      static const int cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
+      const int c = cosine[k % 4], s = sine[k % 4], side = k < 4 ? 1 : -1;
+      const double x = rows[r].x.x, y = side * rows[r].x.y, v = -side * rows[r].speed, w = side * rows[r].wall_speed;
+      char text[256];
+      snprintf(text, sizeof text,
+               "disc %g %g radius 1e-3 m velocity %g %g\nwall w %d %d to %d %d m velocity %g %g spin %g\n"
+               "disc 500 500 radius 30 m",
+               c * x - s * y, s * x + c * y, -s * v, c * v, -100 * c, -100 * s, 100 * c, 100 * s, -s * w, c * w,
+               side * rows[r].spin);
+      through(text, "particle 1 (line 5) passed through wall `w` (line 6) in cycle 1,", 1);
+    }
+}
+
 void suite_walls(void) {
   CU_pSuite suite = CU_add_suite("walls", NULL, NULL);
   CU_add_test(suite, "rotation of a wall is exact", rotation_is_exact);
@@ -347,4 +370,5 @@ void suite_walls(void) {
   CU_add_test(suite, "no jump at a vertex of a straight floor", no_jump_on_a_straight_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);
+  CU_ADD_TEST(suite, crossings_in_all_directions);
 }
