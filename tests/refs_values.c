@@ -474,6 +474,13 @@ static void carried(void) {
         APART "stage s\naffine strain -0.1 per cycle 0.1 per cycle\ncycles 1\nstage t\n"
               "affine strain -0.5 per cycle 0 per cycle accumulated\ncycles 3\n",
         {"3 9 radius 1 a", TOUCH}, {"3 12 radius 1 a", NULL});
+  /* The distances are 3, 2.7, 2.43, 2.187 and 1.9683: the discs touch in the fourth cycle. */
+  PARTS("carried",
+        "material a density 1 kn 9\nnormal linear\ndisc 9 9 radius 1 a\ndisc 12 9 radius 1 a\nmonitor D disc 1\nstep "
+        "0.1\n"
+        "stage s\naffine strain -0.1 per cycle 0 per cycle\ncycles 2\nstage t\n"
+        "affine strain -0.1 per cycle 0 per cycle\n@\n",
+        {"cycles 1", NULL}, {"cycles 2", TOUCH});
   PARTS("carried",
         "material a density 1 kn 9\nnormal linear\ndisc 9 9 radius 1 a\nmonitor D disc 1\nstep 0.1\nstage s\n@",
         {"affine strain 0.1 0\ncycles 1\n", AXES},
@@ -557,6 +564,39 @@ static void changed_law(void) {
              least / (32 * pi / 3) * (k ? 1.0001 : 0.9999));
     check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
   }
+  /* The laws of a stage apply up to its end, t = 1, included: linear springs, without sliding.
+   * The normal e = (0, -1) from the sphere to the wall gives t = (-1, 0), and the sphere moves along t by 0.01 t. */
+  const double hertz = 4. / 3 * (2 / 0.9375) * sqrt(2) * pow(overlap, 1.5);
+  VALUES("changed_law",
+         SLIDES("1e30", "0.8", "-9 5 to 9 5", "stage s\ncycles 10\nstage t\nnormal hertz\nshear none\ncycles 8\n"), 0,
+         {"C.normal", kn * overlap, "time", 0.9}, {"C.normal", kn * overlap, "time", 1},
+         {"C.normal", hertz, "time", 1.1}, {"C.shear", 6 * 0.01 * 1, "time", 1}, {"C.shear", 0, "time", 1.1});
+}
+
+/* A zigzag of five discs at 20 degrees to y; the first and the last are fixed. A fourth free disc touches nothing. */
+static void zigzag(void) {
+  const double phi = pi / 9;
+  char page[2048] = "material m density 1 kn 10\nnormal linear\nstep 0.001\nregion A all\nwall w -1 -9 to -1 9 m\n"
+                    "disc 40 0 radius 1 m\n";
+  for (int k = 0; k < 5; k++)
+    snprintf(page + strlen(page), sizeof page - strlen(page), "disc %.17g %.17g radius 1 m%s\n",
+             k % 2 ? 1.99 * sin(phi) : 0, 1.99 * k * cos(phi), k % 4 ? "" : " fixed");
+  snprintf(page + strlen(page), sizeof page - strlen(page), "record A.chains\nstage s\ncycles 1\n");
+  VALUES("zigzag", page, 1, {"A.chains", 1}, {"A.chains.length", 3}, {"A.chains.fraction", 0.75},
+         {"A.chains.bend", 2 * phi});
+}
+
+/* A particle of mass 2 pi with the moment of inertia pi. In a cell its angular momentum has no value. */
+static void momentum(void) {
+#define MOVES                                                                                                          \
+  "material a density 2 kn 9\nnormal linear\nshear none\ndisc 3 4 radius 1 a velocity 2 -3 spin 5\nstep 0.1\n"         \
+  "stage s\ncycles 1\n"
+#define EACH(name, value) {name, value}, {name " max", value}, {name " min", value}, {name " mean", value}
+  VALUES("momentum", MOVES, 0, EACH("momentum.x", 4 * pi), EACH("momentum.y", -6 * pi),
+         EACH("momentum.angular", 2 * pi * (3 * -3 - 4 * 2) + pi * 5));
+  VALUES("momentum", "periodic cell 0 0 to 9 9\n" MOVES, 0, EACH("momentum.x", 4 * pi), EACH("momentum.y", -6 * pi));
+#undef EACH
+#undef MOVES
 }
 
 /* A disc of mass 5 on a spring of k = 20 falls from the height 1 above the contact with g = 0.5, so w = 2 and it hits the
@@ -674,4 +714,6 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, force_chain);
   CU_ADD_TEST(suite, free_fall);
   CU_ADD_TEST(suite, filling);
+  CU_ADD_TEST(suite, zigzag);
+  CU_ADD_TEST(suite, momentum);
 }
