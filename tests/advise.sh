@@ -259,6 +259,10 @@ sed 's/^until.*/until time above 1 at most 100000 cycles/; s/kn 1$/kn 1e4/' stil
 run 0 advise soft.md --quantity D.vx --within '1 %' -o soft && said 'the cheapest setting within the tolerance: --set soften=1000 --set refine=' &&
   said 'stiffness divided by 1000' && grep -q '^# not run: refine=0.0078125: particle 1 .* the step 1.28 is above the guaranteed stable one' soft/advice.tsv
 result $? 'softer contacts'
+# A page whose springs are divided by 4 already: its springs are divided by 1000 once more, and the command gives one value.
+run 0 advise soft.md --set soften=4 --quantity D.vx --within '1 %' -o soft && said 'the cheapest setting within the tolerance: --set soften=4000 --set refine=' &&
+  said 'stiffness divided by 1000' && said 'to run it: nineball run soft.md --set soften=4000 --set refine='
+result $? 'softer contacts of a page that is softened'
 run 0 advise "$hertz" --set pair=equal --set 'step=100 per collision' --quantity impact.duration --within '1 %' -o soft &&
   said '  softer contacts save nothing in this impact: the step is a fraction of the duration of the collision, and both grow by the same factor' && ! grep -q 'divided by' soft/advice.tsv
 result $? 'softer contacts save nothing in an impact'

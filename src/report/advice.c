@@ -52,14 +52,15 @@ void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, 
   nb_append(text, size, "%s--set refine=%.10g", text[0] ? " " : "", refine_of(advice, setting->level));
 }
 
-/* Prints the options of this call that the suggested command also needs: --set NAME=VALUE except `trade` and
- * `refine`. */
-static void print_own_options(const struct nb_advice *advice) {
+/* Prints the options of this call that the suggested command also needs: --set NAME=VALUE, except `trade` and names to
+ * which `options` gives another value. */
+static void print_own_options(const struct nb_advice *advice, const char *options) {
   for (size_t k = 0; advice->query->settings[k]; k++) {
     const char *setting = advice->query->settings[k];
-    char text[1024] = "", name[NB_NAME_SIZE];
+    char text[1024] = "", name[NB_NAME_SIZE], given[sizeof "--set =" + NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(setting, "="), setting);
-    if (strcmp(name, "trade") != 0 && strcmp(name, "refine") != 0) {
+    snprintf(given, sizeof given, "--set %s=", name);
+    if (strcmp(name, "trade") != 0 && !strstr(options, given)) {
       append_setting(text, sizeof text, name, strchr(setting, '=') + 1);
       printf(" %s", text);
     }
@@ -188,7 +189,7 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   char path[4096] = "";
   nb_append_word(path, sizeof path, advice->query->path);
   printf("to run it: nineball run %s", path);
-  print_own_options(advice);
+  print_own_options(advice, options);
   printf(" %s\n", options);
   if (nb_setting_loosens(chosen))
     puts("  checks of the page that have tighter tolerances may fail then");
