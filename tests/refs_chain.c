@@ -101,8 +101,25 @@ static void impulse_gives_bessel_functions(void) {
   written_free(&it);
 }
 
+/* A stage that lasts until a quantity is below a value has no time in the reference. */
+static void other_ends_have_no_time(void) {
+  for (int k = 0; k < 2; k++) {
+    struct written it;
+    struct refs_scene scene;
+    row(&it, N, "0.001",
+        k ? "stage s\nuntil D.vx.half below 1e-4 at most 5000 cycles\n"
+          : "stage s\nuntil D.vx.half above 1e-4 at most 5000 cycles\n");
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("chain", &scene);
+    CU_ASSERT_EQUAL(solution_find(&solution, "time in s") == NULL, k);
+    solution_free(&solution);
+    written_free(&it);
+  }
+}
+
 void suite_refs_chain(void) {
   CU_pSuite suite = CU_add_suite("refs_chain", NULL, NULL);
   CU_add_test(suite, "the sum of modes equals the calculation cycle", modes_equal_the_cycle);
   CU_add_test(suite, "an impulse gives Bessel functions", impulse_gives_bessel_functions);
+  CU_ADD_TEST(suite, other_ends_have_no_time);
 }

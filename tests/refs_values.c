@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "refs_scenes.h"
 #include "suites.h"
@@ -586,6 +587,61 @@ static void zigzag(void) {
          {"A.chains.bend", 2 * phi});
 }
 
+/* A packing of two discs with its state: another particle is refused. */
+static void packing(void) {
+  char folder[] = "/tmp/nineball-packing-XXXXXX", list[64], state[64], page[1024];
+  CU_ASSERT_PTR_NOT_NULL_FATAL(mkdtemp(folder));
+  snprintf(list, sizeof list, "%s/two.tsv", folder), snprintf(state, sizeof state, "%s/two.state", folder);
+  FILE *file = fopen(list, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fputs("x/-\ty/-\tradius/-\n0\t0\t1\n1.5\t0\t1\n", file), fclose(file);
+  file = fopen(state, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fputs("fields normal\n", file), fclose(file);
+  for (int k = 0; k < 2; k++) {
+    snprintf(page, sizeof page, "material m density 1 kn 1\npacking %s discs m\n%sstep 0.1\nstage s\ncycles 1\n", list,
+             k ? "disc 9 9 radius 1 m\n" : "");
+    check_message("packing", page, k ? "one `packing`, and no other particles" : NULL);
+  }
+  remove(list), remove(state), rmdir(folder);
+}
+
+/* A small sphere between two that are fixed and approach along x: each other velocity is refused. */
+static void pinched(void) {
+#define GLASS "material g density 1 young 1 poisson 0\nnormal hertz\n"
+#define PINCHED                                                                                                        \
+  "spheres of one material: two equal fixed ones that approach each other along x, and a third one at rest between "   \
+  "them, above the line of their centres"
+  PARTS("pinched",
+        GLASS "sphere -3 0 radius 2 g velocity 0.1 @ fixed\nsphere 3 0 radius 2 g velocity -0.1 0 fixed\nsphere 0 0.5 "
+              "radius 1 g\nstep 0.01\nstage s\ncycles 1\n",
+        {"0", NULL}, {"0.01", PINCHED});
+  PARTS("pinched",
+        GLASS "sphere -3 0 radius 2 g velocity 0.1 0 fixed\nsphere 3 0 radius 2 g velocity -0.1 @ fixed\nsphere 0 0.5 "
+              "radius 1 g\nstep 0.01\nstage s\ncycles 1\n",
+        {"0", NULL}, {"0.01", PINCHED});
+#undef GLASS
+#undef PINCHED
+}
+
+/* Two equal spheres that collide head-on have velocities after the impact; spheres of two materials or radii have none. */
+static void spheres_that_are_not_equal(void) {
+  static const char *const seconds[] = {"radius 1 a", "radius 1 b", "radius 1.001 a"};
+  for (int k = 0; k < 3; k++) {
+    char page[1024];
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    snprintf(page, sizeof page,
+             "material a density 1 young 1 poisson 0\nmaterial b density 2 young 1 poisson 0\nnormal hertz\n"
+             "sphere 0 0 radius 1 a velocity 0.1 0\nsphere 3 0 %s velocity -0.1 0\nmonitor D sphere 1\n"
+             "step 0.1 of rayleigh\nstage s\ncycles 1\n",
+             seconds[k]);
+    CU_ASSERT_EQUAL(solve(&solution, "rayleigh_step", page, &error), NB_OK);
+    CU_ASSERT_EQUAL(solution_find(&solution, "D.vx") != NULL, k == 0);
+    solution_free(&solution);
+  }
+}
+
 /* A particle of mass 2 pi with the moment of inertia pi. In a cell its angular momentum has no value. */
 static void momentum(void) {
 #define MOVES                                                                                                          \
@@ -716,4 +772,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, filling);
   CU_ADD_TEST(suite, zigzag);
   CU_ADD_TEST(suite, momentum);
+  CU_ADD_TEST(suite, packing);
+  CU_ADD_TEST(suite, pinched);
+  CU_ADD_TEST(suite, spheres_that_are_not_equal);
 }

@@ -85,10 +85,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   char line[LINE];
   int normal = -1;
   double contacts = 0;
-  if (scene->packing_count != 1 || scene->packings[0].count != scene->particle_count ||
-      strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `packing` is for one `packing`, no other particles, and `normal linear`");
+  if (scene->packing_count != 1 || scene->packings[0].count != scene->particle_count)
+    return nb_error_set(error, NB_BAD_USE, "the reference `packing` is for one `packing`, and no other particles");
   FILE *file = open_state(scene);
   if (!file)
     return nb_error_set(
