@@ -32,30 +32,42 @@ static void *one_more(const void *array, size_t count, size_t size, const void *
   return longer;
 }
 
+/* The scene that `solve` has solved. Curves refer to it, so it is kept until the next one is solved. */
+static struct {
+  struct written it;
+  struct nb_scene scene;
+} solved;
+
+static void release(void) {
+  if (!solved.scene.particles)
+    return;
+  free(solved.scene.particles), free(solved.scene.walls), free(solved.scene.stages), free(solved.scene.monitors);
+  solved.scene.particles = NULL;
+  written_free(&solved.it);
+}
+
 /* Solves the scene of a page without units, after an element has been added behind the ends of its arrays. */
 static enum nb_status solve(struct nb_solution *solution, const char *reference, const char *text,
                             struct nb_error *error) {
   struct words page = {0};
-  struct written it;
+  release();
   words_add(&page, "units none\n%s", text);
-  written_scene(&it, &page);
-  struct nb_scene scene = it.scene;
-  const struct nb_particle particle = {.x = NAN, .y = NAN, .radius = 1e9, .shape = scene.particles[0].shape};
+  written_scene(&solved.it, &page);
+  struct nb_scene *const scene = &solved.scene;
+  *scene = solved.it.scene;
+  const struct nb_particle particle = {.x = NAN, .y = NAN, .radius = 1e9, .shape = scene->particles[0].shape};
   const struct nb_wall wall = {.x = NAN, .y = NAN, .ex = NAN};
-  struct nb_stage stage = scene.stages[scene.stage_count - 1];
+  struct nb_stage stage = scene->stages[scene->stage_count - 1];
   struct nb_monitor monitor = {0};
-  if (scene.monitor_count)
-    monitor = scene.monitors[0];
+  if (scene->monitor_count)
+    monitor = scene->monitors[0];
   strcpy(stage.name, "beyond"), strcpy(monitor.name, "beyond");
-  scene.particles = one_more(scene.particles, scene.particle_count, sizeof particle, &particle);
-  scene.walls = one_more(scene.walls, scene.wall_count, sizeof wall, &wall);
-  scene.stages = one_more(scene.stages, scene.stage_count, sizeof stage, &stage);
-  scene.monitors = one_more(scene.monitors, scene.monitor_count, sizeof monitor, &monitor);
+  scene->particles = one_more(scene->particles, scene->particle_count, sizeof particle, &particle);
+  scene->walls = one_more(scene->walls, scene->wall_count, sizeof wall, &wall);
+  scene->stages = one_more(scene->stages, scene->stage_count, sizeof stage, &stage);
+  scene->monitors = one_more(scene->monitors, scene->monitor_count, sizeof monitor, &monitor);
   *solution = (struct nb_solution){0};
-  const enum nb_status status = nb_reference_solve(nb_reference_find(reference), solution, &scene, error);
-  free(scene.particles), free(scene.walls), free(scene.stages), free(scene.monitors);
-  written_free(&it);
-  return status;
+  return nb_reference_solve(nb_reference_find(reference), solution, scene, error);
 }
 
 /* The solution has the expected values, and no other ones. `scale`: a value of 0 may differ by 1e-12 of it. */
@@ -758,8 +770,13 @@ static void filling(void) {
   written_free(&it);
 }
 
+static int released(void) {
+  release();
+  return 0;
+}
+
 void suite_refs_values(void) {
-  CU_pSuite suite = CU_add_suite("refs_values", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("refs_values", NULL, released);
   CU_ADD_TEST(suite, centripetal);
   CU_ADD_TEST(suite, cohesion);
   CU_ADD_TEST(suite, fracc);
