@@ -89,13 +89,15 @@ static bool touch(const struct nb_scene *scene) {
   unsigned long cycles = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     cycles += scene->stages[s].cycles;
-  for (size_t i = 0; i < scene->particle_count; i++)
-    for (size_t j = 0; j < i; j++)
-      for (unsigned long n = 0; n <= cycles; n++) {
+  for (unsigned long n = 0; n <= cycles; n++) {
+    const double along_x = at(&x, (double)n), along_y = at(&y, (double)n);
+    for (size_t i = 0; i < scene->particle_count; i++)
+      for (size_t j = 0; j < i; j++) {
         const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
-        if (hypot((a->x - b->x) * at(&x, (double)n), (a->y - b->y) * at(&y, (double)n)) <= a->radius + b->radius)
+        if (hypot((a->x - b->x) * along_x, (a->y - b->y) * along_y) <= a->radius + b->radius)
           return true;
       }
+  }
   return false;
 }
 

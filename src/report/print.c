@@ -78,7 +78,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   printf("1..%zu\n", count + stopped);
   for (size_t k = 0; k < count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    /* neither has a `#`, which would begin a directive of TAP, because a `#` begins a comment in a page */
+    /* A `#` would begin a directive of TAP. A label has none, because a `#` begins a comment in a page. */
     printf("%s %zu - %s", check->mark == NB_FAIL ? "not ok" : "ok", k + 1, check->label);
     if (check->mark == NB_NOTE)
       fputs(" # SKIP noted, not checked", stdout);
