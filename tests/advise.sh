@@ -394,7 +394,7 @@ run 1 advise --all folder/a.md still.md -o all && said '1 of 2, a: 8 searches, 7
   said 'still has no expectation of a single value' && said '8 searches, 7 with advice; look at all/trades.tsv'
 result $? 'advice on many pages'
 cp all/trades.tsv "$why"
-test "$(grep -v '^#' all/trades.tsv | head -n 1 | tr '\t' '|')" = \
+head -n 1 all/trades.tsv | grep -q '^# nineball .*, advise --all$' && test "$(grep -v '^#' all/trades.tsv | head -n 1 | tr '\t' '|')" = \
   'page|hash|condition|over|kind|quantity|tolerance|result|setting|cost|updates|seconds|error|unit|next|next error/tolerance|order|normal|shear|laws enough|laws not enough|search seconds' &&
   test "$(awk -F '\t' '!/^#/ { print NF }' all/trades.tsv | sort -u)" = 22 &&
   test "$(column all/trades.tsv 1 | sort -u)" = folder/a.md && test "$(column all/trades.tsv 3 | sort -u)" = speed=0.2
