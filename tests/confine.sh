@@ -257,22 +257,22 @@ cat >bin/bwrap <<'EOF2'
 #!/bin/sh
 for word in "$@"; do test "$word" = --version && exit 0; done
 exec >&2
-echo "$@"
+for word in "$@"; do echo "$word"; done
 exit 3
 EOF2
 chmod +x bin/bwrap
 PATH=$work/bin:$PATH NINEBALL_CONFINE=bwrap "$nineball" figure cases/nothing.md -o given >out.txt 2>said
 plots=$(sed -n "s/^plots = '\(.*\)'$/\1/p" given/nothing.gp)
 {
-  printf '%s' '--unshare-all --die-with-parent --new-session --cap-drop ALL'
+  printf '%s\n' --unshare-all --die-with-parent --new-session --cap-drop ALL
   for path in /lib /lib64 /usr/lib /usr/lib64 /usr/local/lib /etc/ld.so.cache /etc/fonts /usr/share/fontconfig /usr/share/fonts \
     /usr/local/share/fonts /usr/share/gnuplot /usr/share/libthai /usr/share/locale /usr/share/pandoc /var/cache/fontconfig \
     "$work/bin/gnuplot" "$plots"; do
-    printf ' --ro-bind-try %s %s' "$path" "$path"
+    printf '%s\n' --ro-bind-try "$path" "$path"
   done
-  echo " --ro-bind-try $work/given/./nothing.gp /figure/./nothing.gp --chdir /figure -- $work/bin/gnuplot -d -e terminal = "
+  printf '%s\n' --ro-bind-try "$work/given/./nothing.gp" /figure/./nothing.gp --chdir /figure -- "$work/bin/gnuplot" -d -e
 } >wanted
-sed -n '1s/\(-e terminal = \).*/\1/p' said | diff -u wanted - >why
+sed '/^terminal = /,$d' said | diff -u wanted - >why
 result $? 'the folders that bubblewrap binds'
 rm bin/bwrap
 PATH=$work/bin NINEBALL_CONFINE=bwrap "$nineball" figure cases/nothing.md -o given >out.txt 2>said
