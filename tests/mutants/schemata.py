@@ -61,7 +61,7 @@ def read_rules():
 
 
 def files_of(module, modules):
-    names = [n for g in modules.get(module, ["src/*/*.[ch]"]) for n in sorted(glob.glob(g, root_dir=source))]
+    names = [n for g in modules.get(module, ["src/*/*.[ch]", "cases/refs/*.[ch]"]) for n in sorted(glob.glob(g, root_dir=source))]
     return names if module in modules else [n for n in names if module in n]
 
 
