@@ -321,7 +321,7 @@ SUITES = \
   tests/rounding.c \
   tests/statements.c \
   tests/stated.c \
-  tests/refs.c tests/refs_covers.c tests/refs_features.c \
+  tests/refs.c tests/refs_covers.c tests/refs_features.c tests/refs_accepts.c \
   tests/refs_nine.c \
   tests/refs_rotation.c \
   tests/refs_extremes.c \
