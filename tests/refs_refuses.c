@@ -258,7 +258,12 @@ static void impacts(void) {
        {"1.35 mm  radius 0.5 mm  light", "1.35 mm  radius 0.5 mm  light velocity 0 m/s -1 m/s", NULL},
        {"monitor   A", "sphere 9 m 9 m radius 1 mm light\nmonitor   A", "two spheres"},
        {"monitor   A", "wall far 9 m 9 m to 8 m 9 m light\nmonitor   A", "two spheres"},
-       {"sphere    0 mm 1.35 mm", "sphere    0.001 mm 1.35 mm", "vertically below"});
+       {"sphere    0 mm 1.35 mm", "sphere    0.001 mm 1.35 mm", "vertically below"},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "0.01 mm 0 mm to 2 mm 0 mm ", "two horizontal walls"},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "2 mm 0 mm to -0.01 mm 0 mm ", NULL},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "-2 mm 0 mm to -0.01 mm 0 mm ", "two horizontal walls"},
+       {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "2 mm 1.8 mm to 0.01 mm 1.8 mm ", "two horizontal walls"},
+       {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "-0.01 mm 1.8 mm to 2 mm 1.8 mm ", NULL});
 }
 
 static void lattices(void) {

@@ -18,8 +18,8 @@ static void stack(struct refs_scene *it, double density, double damping) {
   it->materials[1] = (struct nb_material){.name = "b", .density = density, .kn = 100};
   it->particles[0] = (struct nb_particle){.shape = NB_SPHERE, .radius = 1, .y = 0.9};
   it->particles[1] = (struct nb_particle){.shape = NB_SPHERE, .radius = 1, .y = 2.7, .material = 1};
-  it->walls[0] = (struct nb_wall){.name = "floor", .ex = 1};
-  it->walls[1] = (struct nb_wall){.name = "ceiling", .ex = 1, .y = 3.6};
+  it->walls[0] = (struct nb_wall){.name = "floor", .ex = 1, .h1 = -2, .h2 = 2};
+  it->walls[1] = (struct nb_wall){.name = "ceiling", .ex = 1, .y = 3.6, .h1 = -2, .h2 = 2};
   it->monitors[0] = (struct nb_monitor){.name = "A", .kind = NB_MONITOR_PARTICLE};
   it->monitors[1] = (struct nb_monitor){.name = "B", .kind = NB_MONITOR_PARTICLE, .a = 1};
   it->monitors[2] = (struct nb_monitor){.name = "C", .kind = NB_MONITOR_PARTICLE_PARTICLE, .b = 1};

@@ -636,6 +636,253 @@ static void pinched(void) {
 #undef PINCHED
 }
 
+/* A disc of mass 5, k_n = 20 and k_s = 8 on a floor, of weight 2 with g = 0.4, which slides with mu = 0.5 from u0 = 1.
+ * The shear spring has (1 + q) k_s/m = 4.8 and the deflection d_m = 1/8 while the disc slides. The single-contact step is
+ * that of two such discs, k_n = 30. */
+#define SLIDES_ON(extra, friction, y, wall, stages)                                                                    \
+  "material m density (5/(4*pi)) kn 30 ks 12 friction 9\nmaterial f kn 15 ks 6 friction " friction "\n" extra          \
+  "normal linear\nshear linear\ngravity 0 -0.4\ndisc 7 " y " radius 2 m velocity 1 0\nwall f " wall " f\n"             \
+  "monitor D disc 1\nmonitor C disc 1 with wall f\nstep 0.01\nstage s\nuntil C.sliding below 0.5 at most 900 "         \
+  "cycles\n" stages
+static void slide_to_roll(void) {
+  const double m = 5, ks = 8, limit = 1. / 8, brake = 0.6, critical = 2 * sqrt(m / 30);
+  const struct {
+    const char *damping;
+    double c; /* of the shear dashpot */
+  } rows[] = {{"", 0},
+              {"damping ratio 0.2\n", 0.2 * 2 * sqrt(m * ks)},
+              {"damping stiffness 0.3\n", 0.3 * ks},
+              {"damping r89-fraction 0.7\n", 0.7 * ks * critical / 2},
+              {"damping ratio 0.2\ndamping walls stiffness 0.1\n", 0.1 * ks}};
+  char page[1024];
+  double far = 0;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const double b = 3 * rows[k].c / (2 * m), w = sqrt(4.8 - b * b);
+    double low = 0, high = atan2(w, b) / w;
+    for (int n = 0; n < 100; n++)
+      *(exp(-b * (low + high) / 2) * sin(w * (low + high) / 2) / w < limit ? &low : &high) = (low + high) / 2;
+    const double slip = exp(-b * low) * (cos(w * low) - b / w * sin(w * low)), slide = low + slip / brake;
+    const double end = limit + slip * slip / (2 * brake), stick = exp(-b * 0.05) * sin(w * 0.05) / w;
+    const double back = limit * (exp(-b) * (cos(w) + b / w * sin(w)) - 1); /* in one second of rolling */
+    const double rate = -limit * exp(-b) * (w + b * b / w) * sin(w), t = slide + 1;
+    snprintf(page, sizeof page, SLIDES_ON("%s", "0.5", "4.9", "99 3 to -9 3", "stage t\ncycles 90\n"), rows[k].damping);
+    VALUES("slide_to_roll", page, 1, {"D.x", 7 + (stick + 0.1) / 3, "time", 0.05},
+           {"D.vx", (exp(-b * 0.05) * (cos(w * 0.05) - b / w * sin(w * 0.05)) + 2) / 3, "time", 0.05},
+           {"D.vx", (slip - brake * 0.5 + 2) / 3, "time", low + 0.5},
+           {"D.spin", -(1 - (slip - brake * 0.5 + 2) / 3), "time", low + 0.5},
+           {"D.x", 7 + (limit + slip * 0.5 - brake * 0.125 + 2 * (low + 0.5)) / 3, "time", low + 0.5},
+           {"D.x", 7 + (end + back + 2 * t) / 3, "time", t}, {"D.vx", (rate + 2) / 3, "time", t},
+           {"D.spin", -(1 - (rate + 2) / 3), "time", t}, {"time in s", slide}, {"D.x in s", 7 + (end + 2 * slide) / 3},
+           {"D.vx in t", 2. / 3});
+    if (k == 0)
+      far = 7 + (end + limit * (cos(0.9 * w) - 1) + 2 * (slide + 0.9)) / 3;
+  }
+#define LONG "a floor so long that the particle does not reach its end"
+#define FORCE(n)                                                                                                       \
+  "a particle that moves along the floor without spin, with an initial normal force equal to its weight of 2 N; the "  \
+  "force is " n " N"
+#define SLOW "a particle that slides, with less than critical damping"
+  for (int k = 0; k < 4; k++) {
+    snprintf(page, sizeof page, SLIDES_ON("", "0.5", "4.9", "%.9g 3 to %.9g 3", "stage t\ncycles 90\n"),
+             k < 2 ? -9 : far + (k == 2 ? 1e-6 : -1e-6), k < 2 ? far + (k == 0 ? 1e-6 : -1e-6) : -9);
+    check_message("slide_to_roll", page, k % 2 ? LONG : NULL);
+  }
+  PARTS("slide_to_roll", SLIDES_ON("", "0.5", "@", "-9 3 to 99 3", ""), {"(5 - 0.1*(1 - 0.9e-4))", NULL},
+        {"(5 - 0.1*(1 + 0.9e-4))", NULL}, {"(5 - 0.1*1.1)", FORCE("2.2")}, {"(5 - 0.1*0.9)", FORCE("1.8")},
+        {"(5 - 0.1*(1 + 1.1e-4))", FORCE("2.00022")}, {"(5 - 0.1*(1 - 1.1e-4))", FORCE("1.99978")});
+  PARTS("slide_to_roll", SLIDES_ON("@", "0.5", "4.9", "-9 3 to 99 3", ""), {"damping ratio 0.577\n", NULL},
+        {"damping ratio 0.578\n", SLOW});
+  PARTS("slide_to_roll", SLIDES_ON("", "@", "4.9", "-9 3 to 99 3", ""), {"1.825", NULL}, {"1.826", SLOW});
+  PARTS("slide_to_roll", SLIDES_ON("", "0.5", "4.9", "@", ""), {"6.99 3 to 99 3", NULL},
+        {"7.01 3 to 99 3", "a wall along x, below the particle"},
+        {"-9 3 to 99 3.1", "a wall along x, below the particle"},
+        {"-9 3 to 99 2.9", "a wall along x, below the particle"},
+        {"-9 4.9 to 99 4.9", "a wall along x, below the particle"});
+#undef LONG
+#undef FORCE
+#undef SLOW
+}
+
+/* A rigid disc of mass 5 and I = 10 with g = 0.4. It moves at v = 3, w = -0.5 on a floor with mu = 0.25, later 0.5. */
+#define ROTATES(wall, stages)                                                                                          \
+  "material m density (5/(4*pi)) kn 30 ks 12 friction 0.25\nmaterial f kn 15 ks 6 friction 0.8\nnormal linear\n"       \
+  "shear linear\ngravity 0 -0.4\ndisc 7 4.9 radius 2 m velocity 3 0 spin -0.5\nwall f " wall " f\nmonitor D disc 1\n"  \
+  "monitor C disc 1 with wall f\nstep 0.1\nstage a\ncycles 10\nstage b\nrotation off\ncycles 10\n" stages
+#define RESUMES                                                                                                        \
+  "stage c\nrotation on\npair m f friction 0.5\nuntil C.sliding below 0.5 at most 90 cycles\nstage d\ncycles 20\n"     \
+  "stage e\nrotation off\nuntil C.sliding below 0.5 at most 900 cycles\nstage f\ncycles 5\n"
+static void rotation_off(void) {
+  const double roll = 2.8 / (3 * 0.2), v = 2.8 - 0.2 * roll, stop = v / 0.2, first = 5 * 0.6 * 0.6;
+  const double second = first + 5 * v * v / 4, far = 7 + 2.95 + 2.85 + (2.8 + v) / 2 * roll + 2 * v + v / 2 * stop;
+  VALUES("rotation_off", ROTATES("-9 3 to 99 3", RESUMES), 1, {"D.vx in a", 2.9}, {"D.spin in a", -0.6},
+         {"energy.changed in a", 0}, {"D.vx in b", 2.8}, {"D.spin in b", 0}, {"energy.changed in b", -first},
+         {"D.vx in c", v}, {"D.spin in c", -v / 2}, {"energy.changed in c", -first}, {"time in c", 2 + roll},
+         {"D.vx in d", v}, {"D.spin in d", -v / 2}, {"energy.changed in d", -first}, {"D.vx in e", 0},
+         {"D.spin in e", 0}, {"energy.changed in e", -second}, {"time in e", 4 + roll + stop}, {"D.vx in f", 0},
+         {"D.spin in f", 0}, {"energy.changed in f", -second});
+#define LEVEL "one particle that moves in +x on a level floor, under gravity"
+#define LONG "a floor so long that the particle does not reach its end"
+  char page[1024];
+  for (int k = 0; k < 4; k++) {
+    snprintf(page, sizeof page, ROTATES("%.9g 3 to %.9g 3", RESUMES), k < 2 ? -9 : far + (k == 2 ? 1e-6 : -1e-6),
+             k < 2 ? far + (k == 0 ? 1e-6 : -1e-6) : -9);
+    check_message("rotation_off", page, k % 2 ? LONG : NULL);
+  }
+  PARTS("rotation_off", ROTATES("@", ""), {"6.99 3 to 99 3", NULL}, {"7.01 3 to 99 3", LEVEL}, {"99 3 to 6.99 3", NULL},
+        {"99 3 to 7.01 3", LEVEL}, {"9.94 3 to -9 3", LONG}, {"9.96 3 to -9 3", LONG}, {"-9 5 to 99 5", LEVEL});
+#undef LEVEL
+#undef LONG
+}
+
+/* A disc of mass 5 and R = 2 in a right angle at (2, 1), with the unit normals n_1 = (0.6, 0.8) and n_2 = (-0.8, 0.6) and
+ * the stiffnesses 30 and 120/13. The forces are -m g n_i, and c = P + (R - N_1/k_1) n_1 + (R - N_2/k_2) n_2. */
+#define NESTS(gravity, one, two, stages)                                                                               \
+  "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\ngravity " gravity            \
+  "\ndisc 2 4 radius 2 m\nwall a " one " a\nwall b " two " b\nmonitor D disc 1\nmonitor A disc 1 with wall a\n"        \
+  "monitor B disc 1 with wall b\nstep 0.01\n" stages
+static void wedge(void) {
+  const double k1 = 30, k2 = 120. / 13, n1 = -5 * (0.6 * 0.1 - 0.8), n2 = -5 * (-0.8 * 0.1 - 0.6);
+  const double d1 = 2 - n1 / k1, d2 = 2 - n2 / k2;
+#define REST                                                                                                           \
+  {"A.normal in s", n1}, {"A.overlap in s", n1 / k1}, {"B.normal in s", n2}, {"B.overlap in s", n2 / k2},              \
+      {"D.x in s", 2 + d1 * 0.6 - d2 * 0.8}, {"D.y in s", 1 + d1 * 0.8 + d2 * 0.6},                                    \
+      {"step.stable in s", 2 * sqrt(5 / (k1 + k2))}
+#define ON "a particle that rests on the faces of both walls"
+  VALUES("wedge", NESTS("0.1 -1", "2 1 to -6 7", "2 1 to 8 9", "stage s\ncycles 1\nstage t\ngravity 1 -3\ncycles 1\n"),
+         1, REST);
+  VALUES("wedge", NESTS("0 -9", "-6 7 to 2 1", "8 9 to 2 1", "stage s\ngravity 0.1 -1\ncycles 1\n"), 1, REST);
+  char page[1024];
+  for (int wall = 0; wall < 2; wall++)
+    for (int end = 0; end < 2; end++)
+      for (int more = -1; more < 2; more += 2) { /* the foot is d2 from P on wall 1, and d1 on wall 2 */
+        const double foot = wall ? d1 : d2, low = end ? 0 : foot + 1e-6 * more, high = end ? foot + 1e-6 * more : 9;
+        const double of[2][2] = {{wall ? 0 : low, wall ? 9 : high}, {wall ? low : 0, wall ? high : 9}};
+        snprintf(page, sizeof page,
+                 NESTS("0.1 -1", "%.17g %.17g to %.17g %.17g", "%.17g %.17g to %.17g %.17g", "stage s\ncycles 1\n"),
+                 2 - 0.8 * of[0][0], 1 + 0.6 * of[0][0], 2 - 0.8 * of[0][1], 1 + 0.6 * of[0][1], 2 + 0.6 * of[1][0],
+                 1 + 0.8 * of[1][0], 2 + 0.6 * of[1][1], 1 + 0.8 * of[1][1]);
+        check_message("wedge", page, (more > 0) == end ? NULL : ON);
+      }
+  PARTS("wedge", NESTS("@", "2 1 to -6 7", "2 1 to 8 9", "stage s\ncycles 1\n"), {"-0.74 -1", NULL}, {"-0.76 -1", ON},
+        {"1.33 -1", NULL}, {"1.34 -1", ON}, {"0 1", ON});
+#undef REST
+#undef ON
+}
+
+/* A network of one or two discs of mass 5, R = 2: the limits of its single degree of freedom without coupling, where
+ * dt^2 K/m + 2 dt C/m = 2 (1 + keep)/gain. `step max` is found by bisection. */
+static double step_of_limit(double k, double c, double m, double right) {
+  return (sqrt(c * c + k * m * right) - c) / k;
+}
+static void limits(const char *page, double single, double stable, double longest) {
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(solve(&solution, "step_limit", page, &error), NB_OK);
+  const char *const names[] = {"step.single-contact", "step.stable", "step max"};
+  const double expected[] = {single, stable, longest};
+  for (int k = 0; k < 3; k++) {
+    const double *value = solution_find(&solution, names[k]);
+    const bool right = value && fabs(*value - expected[k]) <= (k < 2 ? 1e-12 : 2e-6) * expected[k];
+    if (!right)
+      printf("# %s is %.17g, expected %.17g: %s\n", names[k], value ? *value : NAN, expected[k], page);
+    CU_ASSERT(right);
+  }
+  CU_ASSERT_EQUAL(solution.value_count, 3);
+  solution_free(&solution);
+}
+#define HELD(shear, damping, bodies)                                                                                   \
+  "material m density (5/(4*pi)) kn 20 ks 20 friction 1\nmaterial a kn 60 ks 180 friction 1\nmaterial b kn 6 ks 3 "    \
+  "friction 1\nnormal linear\nshear " shear "\n" damping bodies "step 0.01\nstage s\ncycles 1\n"
+#define CORNER "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b -9 0 to 9 0 b\n"
+#define GRIPPED "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b 3 -9 to 3 9 b\n"
+#define PAIRED "disc 1 2 radius 2 m\ndisc 1 5 radius 1 m\ndisc 90 0 radius 9 m fixed\n"
+static void step_limit(void) {
+  const double m = 5, ka = 30, kb = 120. / 13, single = 2 * sqrt(m / ka), both = 2 * sqrt(m / (ka + kb));
+  limits(HELD("none", "", CORNER), single, both, single);
+  limits(HELD("none", "", GRIPPED), single, both, both);
+  const double k = ka + kb, ca = 2 * 0.3 * sqrt(m * ka), cb = 2 * 0.3 * sqrt(m * kb);
+  limits(HELD("none", "damping ratio 0.3\n", GRIPPED), single, step_of_limit(k, ca + cb, m, 4),
+         step_of_limit(k, ca + cb, m, 4));
+  limits(HELD("none", "damping ratio 0.3\n", CORNER), single, step_of_limit(k, ca + cb, m, 4),
+         fmin(step_of_limit(ka, ca, m, 4), step_of_limit(kb, cb, m, 4)));
+  limits(HELD("none", "damping stiffness 0.2\n", GRIPPED), single, step_of_limit(k, 0.2 * k, m, 4),
+         step_of_limit(k, 0.2 * k, m, 4));
+  limits(HELD("none", "damping r89-fraction 0.2\n", GRIPPED), single, step_of_limit(k, 0.1 * k * single, m, 4),
+         step_of_limit(k, 0.1 * k * single, m, 4));
+  limits(HELD("none", "damping ratio 0.9\ndamping walls stiffness 0.2\n", GRIPPED), single,
+         step_of_limit(k, 0.2 * k, m, 4), step_of_limit(k, 0.2 * k, m, 4));
+  limits(HELD("none", "damping mass 3\n", GRIPPED), single, both, both);
+  limits(HELD("none", "damping con1 0.8 as cs79\n", GRIPPED), single, both, both);
+  limits(HELD("none", "damping con1 0.8 as velocity\n", GRIPPED), single, step_of_limit(k, 0, m, 3.6),
+         step_of_limit(k, 0, m, 3.6));
+  limits(HELD("none", "damping con1 0.8 as all\n", GRIPPED), single, step_of_limit(k, 0, m, 4.5),
+         step_of_limit(k, 0, m, 4.5));
+  limits(HELD("none", "damping con1 0.8 as all\ndamping ratio 0.3\n", GRIPPED), single,
+         step_of_limit(k, ca + cb, m, 4.5), step_of_limit(k, ca + cb, m, 4.5));
+  /* Two discs of the masses 5 and 5/4, k = 20: the reduced mass is 1. k_s = 20 acts on 1/m_1 + 1/m_2 plus twice as much
+   * for the rotation of discs. One of them alone on a fixed disc has its own mass. */
+  const double lightest = 2 * sqrt(1.25 / 20);
+  limits(HELD("none", "", PAIRED), lightest, 2 * sqrt(1. / 20), 2 * sqrt(1. / 20));
+  limits(HELD("none", "damping ratio 0.3\n", PAIRED), lightest, step_of_limit(20, 0.6 * sqrt(20), 1, 4),
+         step_of_limit(20, 0.6 * sqrt(20), 1, 4));
+  limits(HELD("linear", "", PAIRED), lightest, 2 * sqrt(1. / 60), 2 * sqrt(1. / 60));
+  limits(HELD("linear", "damping ratio 0.3\n", PAIRED), lightest, step_of_limit(60, 3 * 0.6 * sqrt(20), 1, 4),
+         step_of_limit(60, 3 * 0.6 * sqrt(20), 1, 4));
+  limits(HELD("none", "", "disc 1 2 radius 2 m fixed\ndisc 1 5 radius 1 m\n"), lightest, lightest, lightest);
+  limits(HELD("none", "damping ratio 0.3\n", "disc 1 2 radius 2 m\ndisc 1 5 radius 1 m fixed\n"), 1,
+         step_of_limit(20, 0.6 * sqrt(5 * 20), 5, 4), step_of_limit(20, 0.6 * sqrt(5 * 20), 5, 4));
+  for (int far = 0; far < 2; far++) { /* a gap of 1e-9 of the first radius is a contact */
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    CU_ASSERT_EQUAL(solve(&solution, "step_limit",
+                          far ? HELD("none", "", "disc 1 2 radius 2 m\ndisc 1 (5 + 2.1e-9) radius 1 m\n")
+                              : HELD("none", "", "disc 1 2 radius 2 m\ndisc 1 (5 + 1.9e-9) radius 1 m\n"),
+                          &error),
+                    far ? NB_BAD_USE : NB_OK);
+    solution_free(&solution);
+  }
+}
+
+/* Nine discs of mass 5 and k_n = 20 in a box of which each wall moves inward at v = 1e-3, with alpha = 3. */
+#define CLOSES(v, step, cycles)                                                                                        \
+  "material m density (5/(4*pi)) kn 20\nnormal linear\ndamping mass 3\nlattice discs 3 by 3 from 2 2 radius 2 "        \
+  "spacing "                                                                                                           \
+  "4 m\nbox 0 0 to 12 12 m\nstep " step "\nstage s\nwalls inward " v "\ncycles " cycles "\nstage t\ncycles 9\n"
+static void speed_of_loading(void) {
+  const double unbalanced = 3 * 5 * 1e-3 / sqrt(2), largest = 20 * 1e-3 * 7 / 2 + 3 * 5 * 1e-3 / 4;
+  VALUES("speed_of_loading", CLOSES("0.001", "0.01", "700"), 0, {"unbalanced.max in s", unbalanced / largest});
+  VALUES("speed_of_loading", CLOSES("0.001", "0.01 of single-contact", "700"), 0,
+         {"unbalanced.max in s", unbalanced / largest});
+#define LASTS(t) "a first stage that lasts longer than 20/alpha with `damping mass alpha`; it lasts " t "/alpha"
+  check_message("speed_of_loading", CLOSES("0.001", "0.01", "667"), NULL);
+  check_message("speed_of_loading", CLOSES("0.001", "0.01", "666"), LASTS("19.98"));
+#undef LASTS
+}
+
+/* A sphere strikes a wall at the angle 30 or 80 degrees with mu = 0.1 and q = 5/2. E* = 1/(0.84/7 + 0.9375/5) and
+ * G* = 1/(1.6/(7/2.8) + 1.75/(5/2.5)) for the materials of sphere and wall. */
+#define STRIKES(wall, angle)                                                                                           \
+  "material g density 3 young 7 poisson 0.4 friction 0.1\nmaterial w young 5 poisson 0.25 friction 0.6\nnormal "       \
+  "hertz\n"                                                                                                            \
+  "shear mindlin_deresiewicz\nsphere 1 5 radius 2 g\nwall f " wall                                                     \
+  " w\nmonitor C sphere 1 with wall f\nimpact C speed "                                                                \
+  "0.01 angle " angle "\nstep 100 per collision\nstage s\nuntil impact.time above 1.1 at most 999 cycles\n"
+static void rigid_impact(void) {
+  const double mu = 0.1, young = 1 / (0.84 / 7 + 0.9375 / 5), shear = 1 / (1.6 / 2.5 + 1.75 / 2);
+  const double kappa = young / (4 * shear), slides = atan(2 * mu * 3.5) * 180 / pi;
+  static const char *const walls[] = {"-99 2 to 99 2", "99 2 to -99 2", "-1 99 to -1 -99",
+                                      "(1 - 40) (5 + 20) to (1 + 30) (5 - 32)"};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++)
+    for (int sticks = 0; sticks < 2; sticks++) {
+      char page[1024];
+      const double degrees = slides + (sticks ? -5 : 5), angle = degrees * pi / 180;
+      snprintf(page, sizeof page, STRIKES("%s", "(%.17g*pi/180)"), walls[k], degrees);
+      const double slid = sqrt(1 - 2 * mu * sin(2 * angle) + 2 * mu * mu * (1 + cos(2 * angle)));
+      VALUES("rigid_impact", page, 0, {"impact.psi2", sticks ? 0 : (tan(angle) - 2 * mu * 3.5) / (mu * kappa)},
+             {"impact.restitution", sticks ? hypot(cos(angle), 5. / 7 * sin(angle)) : slid});
+    }
+}
+
 /* Two equal spheres that collide head-on have velocities after the impact; spheres of two materials or radii have none. */
 static void spheres_that_are_not_equal(void) {
   static const char *const seconds[] = {"radius 1 a", "radius 1 b", "radius 1.001 a"};
@@ -721,9 +968,9 @@ static void free_fall(void) {
         {ON_FLOOR("-0.1", "6", "0.5", "9 3 to 5 3"), KIND},
         {ON_FLOOR("0", "6", "1.001", "9 3 to 5 3"), "less than critical damping"},
         {ON_FLOOR("0", "6", "0.999", "9 3 to 5 3"), NULL},
-        {ON_FLOOR("0", "6", "0.5", "6.99 3 to -9 3"), "a wall below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "6.99 3 to -9 3"), "a wall along x, below the particle"},
         {ON_FLOOR("0", "6", "0.5", "7.01 3 to -9 3"), NULL},
-        {ON_FLOOR("0", "6", "0.5", "7.01 3 to 20 3"), "a wall below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "7.01 3 to 20 3"), "a wall along x, below the particle"},
         {ON_FLOOR("0", "6", "0.5", "6.99 3 to 20 3"), NULL});
 #undef KIND
 }
@@ -791,5 +1038,11 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, momentum);
   CU_ADD_TEST(suite, packing);
   CU_ADD_TEST(suite, pinched);
+  CU_ADD_TEST(suite, slide_to_roll);
+  CU_ADD_TEST(suite, rotation_off);
+  CU_ADD_TEST(suite, wedge);
+  CU_ADD_TEST(suite, step_limit);
+  CU_ADD_TEST(suite, speed_of_loading);
+  CU_ADD_TEST(suite, rigid_impact);
   CU_ADD_TEST(suite, spheres_that_are_not_equal);
 }

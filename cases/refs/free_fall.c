@@ -109,21 +109,17 @@ static double vy_at(const void *data, double t) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_read(&particle, scene, error))
+  if (single_read(&particle, "free_fall", scene, error))
     return error->status;
   if (scene->gravity.x != 0 || particle.height < particle.radius)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `free_fall` is for a particle dropped straight down, from rest, above the wall");
-  const struct nb_wall *wall = &scene->walls[0];
-  const double foot = (scene->particles[0].x - wall->x) * wall->ex;
-  if (!(foot > wall->h1 && foot < wall->h2))
-    return nb_error_set(error, NB_BAD_USE, "the reference `free_fall` is for a wall below the particle");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m);
   if (!(b < w))
     return nb_error_set(error, NB_BAD_USE, "the reference `free_fall` is for less than critical damping");
   struct fall fall = {
       .g = particle.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = particle.radius};
-  fall.floor = wall->y;
+  fall.floor = scene->walls[0].y;
   find_pieces(&fall, particle.height - particle.radius);
   single_curve(solution, particle.particle, "y", y_at, &fall, sizeof fall);
   single_curve(solution, particle.particle, "vy", vy_at, &fall, sizeof fall);

@@ -109,7 +109,7 @@ static bool read_stages(struct plane *f, const struct nb_scene *scene, double st
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_read(&particle, scene, error))
+  if (single_read(&particle, "incline", scene, error))
     return error->status;
   struct plane plane = {.q = particle.q, .mu = particle.pair.friction, .radius = particle.radius};
   if (!read_stages(&plane, scene, particle.step) || !slides_to_the_end(&plane))

@@ -41,7 +41,7 @@ static double restitution(double b, double eps) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_read(&particle, scene, error))
+  if (single_read(&particle, "many_bounces", scene, error))
     return error->status;
   if (scene->gravity.x != 0 || !(particle.height > particle.radius) || !(particle.gravity_n > 0) ||
       !(particle.cn < 2 * sqrt(particle.pair.kn * particle.m)))

@@ -23,10 +23,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference.h"
+#include "single.h"
 
 struct motion {
-  double v, w, slip;           /* m/s, rad/s; s', m/s */
+  double x, v, w, slip;        /* m, m/s, rad/s; s', m/s */
   double q, r, g, mu, inertia; /* 1, m, m/s2, 1, kg m2 */
   double time, removed;        /* s; rotational energy, J */
   bool rotates;
@@ -37,11 +37,13 @@ static double sliding_time(const struct motion *m) { return m->slip / ((m->rotat
 
 static void advance(struct motion *m, double time) {
   const double sliding = sliding_time(m), t = fmin(time, sliding), deceleration = m->mu * m->g;
+  m->x += (m->v - deceleration * t / 2) * t;
   m->v -= deceleration * t;
   if (m->rotates)
     m->w -= m->q * deceleration * t / m->r;
   if (t == sliding && !m->rotates)
     m->v = 0;
+  m->x += m->v * (time - t);
   m->time += time;
 }
 
@@ -82,14 +84,18 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *particle = scene->particles;
   if (scene->particle_count != 1 || scene->wall_count != 1 || scene->walls[0].ey != 0 ||
-      scene->walls[0].y > particle->y || scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(particle->vx > 0) ||
-      particle->vy != 0)
+      scene->walls[0].y > particle->y || !single_faces(&scene->walls[0], particle->x, particle->y) ||
+      scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(particle->vx > 0) || particle->vy != 0)
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `rotation_off` is for one particle that moves in +x on a level floor, under gravity");
   const struct matter_pair pair = matter_pair(scene, particle->material, scene->walls[0].material);
-  struct motion m = {
-      .v = particle->vx, .w = particle->spin, .r = particle->radius, .mu = pair.friction, .rotates = true};
+  struct motion m = {.x = particle->x,
+                     .v = particle->vx,
+                     .w = particle->spin,
+                     .r = particle->radius,
+                     .mu = pair.friction,
+                     .rotates = true};
   m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, particle);
   m.q = matter_mass(scene, particle) * m.r * m.r / m.inertia;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -104,6 +110,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       return nb_error_set(error, NB_BAD_USE,
                           "the reference `rotation_off` is for stages that end with `until C.sliding below X`");
     advance(&m, stage->condition_count ? sliding_time(&m) : (double)stage->cycles * stage->step.value);
+    if (!single_faces(&scene->walls[0], m.x, particle->y))
+      return nb_error_set(
+          error, NB_BAD_USE,
+          "the reference `rotation_off` is for a floor so long that the particle does not reach its end");
     add_value(solution, scene, stage->name, "vx", m.v), add_value(solution, scene, stage->name, "spin", m.w);
     snprintf(name, sizeof name, "time in %s", stage->name);
     if (stage->condition_count)

@@ -24,17 +24,23 @@ static double dashpot(const struct nb_damping *damping, double k, double m, doub
   return 0;
 }
 
-static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "this reference is for %s", what);
+static enum nb_status refuse(struct nb_error *error, const char *reference, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for %s", reference, what);
 }
 
-enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
+bool single_faces(const struct nb_wall *wall, double x, double y) {
+  const double s = (x - wall->x) * wall->ex + (y - wall->y) * wall->ey;
+  return s > wall->h1 && s < wall->h2;
+}
+
+enum nb_status single_read(struct single *single, const char *reference, const struct nb_scene *scene,
+                           struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return refuse(error, "one particle and one wall");
+    return refuse(error, reference, "one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  if (fabs(wall->ey) > 0 || !(particle->y > wall->y))
-    return refuse(error, "a wall along x, below the particle");
+  if (wall->ey != 0 || !(particle->y > wall->y) || !single_faces(wall, particle->x, particle->y))
+    return refuse(error, reference, "a wall along x, below the particle");
   const double m = matter_mass(scene, particle);
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
   /* of the stiffest pair of materials: with the wall, or of two such particles [CS79, Motion] */
@@ -54,7 +60,7 @@ enum nb_status single_read(struct single *single, const struct nb_scene *scene, 
   else if (scene->step.kind == NB_STEP_SINGLE_CONTACT)
     single->step = scene->step.value * critical;
   else
-    return refuse(error, "a step given as a time or as a fraction of single-contact");
+    return refuse(error, reference, "a step given as a time or as a fraction of single-contact");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind == NB_MONITOR_PARTICLE)
       single->particle = scene->monitors[w].name;

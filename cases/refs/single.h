@@ -18,9 +18,12 @@ struct single {
   const char *contact;
 };
 
-/* NB_BAD_USE unless there are one particle and one wall along x below it, and the step is given as a time or as a
- * fraction of single-contact. */
-enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error);
+/* NB_BAD_USE, with the name of the reference, unless there are one particle and one wall along x below its centre, and
+ * the step is given as a time or as a fraction of single-contact. */
+enum nb_status single_read(struct single *single, const char *reference, const struct nb_scene *scene,
+                           struct nb_error *error);
+/* Whether the foot of the perpendicular from (x, y) to the line of the wall is inside the wall. */
+bool single_faces(const struct nb_wall *wall, double x, double y);
 /* Adds `MONITOR.WHAT`, with ` in STAGE` if there is one; nothing without a monitor. */
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
 /* Adds the curve `MONITOR.WHAT` versus time; nothing without a monitor. Its data are a copy of the `size` bytes at

@@ -118,7 +118,7 @@ static void add_values(struct nb_solution *solution, const struct nb_scene *scen
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_read(&particle, scene, error))
+  if (single_read(&particle, "slide_to_roll", scene, error))
     return error->status;
   const double weight = particle.m * particle.gravity_n, force = particle.pair.kn * (particle.radius - particle.height);
   const double u0 = scene->particles[0].vx;
@@ -143,6 +143,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!(square > 0) || !find_sliding(&slide))
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `slide_to_roll` is for a particle that slides, with less than critical damping");
+  double end = 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    end = scene->stages[s].condition_count ? fmax(end, slide.slide)
+                                           : end + (double)scene->stages[s].cycles * particle.step;
+  if (!single_faces(&scene->walls[0], x_at(&slide, end), scene->particles[0].y))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `slide_to_roll` is for a floor so long that the particle does not reach its end");
   add_values(solution, scene, &particle, &slide);
   return solution_status(solution, error);
 }

@@ -21,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference.h"
+#include "single.h"
 
 enum { Y1, Y2, V1, V2, UNKNOWNS };
 enum { LOWER, MIDDLE, UPPER, CONTACTS };
@@ -97,7 +97,8 @@ static enum nb_status build(struct stack *stack, const struct nb_scene *scene, s
   const struct nb_particle *b = scene->particles;
   const struct nb_wall *w = scene->walls;
   if (scene->particle_count != 2 || scene->wall_count != 2 || b[0].x != b[1].x || b[0].vx != 0 || b[1].vx != 0 ||
-      !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 || w[1].ey != 0)
+      !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 || w[1].ey != 0 ||
+      !single_faces(&w[0], b[0].x, b[0].y) || !single_faces(&w[1], b[1].x, b[1].y))
     return refuse(error, "two spheres without horizontal velocity, sphere 1 vertically below sphere 2, between two "
                          "horizontal walls, first the floor, then the ceiling");
   if (scene->gravity.x != 0)

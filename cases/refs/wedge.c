@@ -37,23 +37,19 @@ static struct side side_of(const struct nb_scene *scene, const struct nb_wall *w
   return side;
 }
 
-/* Whether the foot of the perpendicular from (x, y) is inside the wall. */
-static bool faces(const struct nb_wall *wall, double x, double y) {
-  const double s = (x - wall->x) * wall->ex + (y - wall->y) * wall->ey;
-  return s > wall->h1 && s < wall->h2;
-}
-
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 2)
     return nb_error_set(error, NB_BAD_USE, "the reference `wedge` is for one particle and two walls");
   const struct nb_particle *particle = &scene->particles[0];
   struct side one = side_of(scene, &scene->walls[0]), two = side_of(scene, &scene->walls[1]);
-  const double m = matter_mass(scene, particle), wx = m * scene->gravity.x, wy = m * scene->gravity.y;
+  const struct nb_gravity *gravity = scene->stages[0].gravity.line ? &scene->stages[0].gravity : &scene->gravity;
+  const double m = matter_mass(scene, particle), wx = m * gravity->x, wy = m * gravity->y;
   const double turn = one.nx * two.ny - one.ny * two.nx;
   one.force = -(wx * two.ny - wy * two.nx) / turn, two.force = -(one.nx * wy - one.ny * wx) / turn;
   const double d1 = particle->radius - one.force / one.k + one.gap, d2 = particle->radius - two.force / two.k + two.gap;
   const double x = (d1 * two.ny - d2 * one.ny) / turn, y = (one.nx * d2 - two.nx * d1) / turn;
-  if (!(one.force > 0 && two.force > 0) || !faces(&scene->walls[0], x, y) || !faces(&scene->walls[1], x, y))
+  if (!(one.force > 0 && two.force > 0) || !single_faces(&scene->walls[0], x, y) ||
+      !single_faces(&scene->walls[1], x, y))
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `wedge` is for a particle that rests on the faces of both walls");
   const char *stage = scene->stages[0].name;
