@@ -790,9 +790,9 @@ static void limits(const char *page, double single, double stable, double longes
   CU_ASSERT_EQUAL(solution.value_count, 3);
   solution_free(&solution);
 }
-#define HELD(shear, damping, bodies)                                                                                   \
+#define HELD(shear, damping, particles)                                                                                   \
   "material m density (5/(4*pi)) kn 20 ks 20 friction 1\nmaterial a kn 60 ks 180 friction 1\nmaterial b kn 6 ks 3 "    \
-  "friction 1\nnormal linear\nshear " shear "\n" damping bodies "step 0.01\nstage s\ncycles 1\n"
+  "friction 1\nnormal linear\nshear " shear "\n" damping particles "step 0.01\nstage s\ncycles 1\n"
 #define CORNER "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b -9 0 to 9 0 b\n"
 #define GRIPPED "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b 3 -9 to 3 9 b\n"
 #define PAIRED "disc 1 2 radius 2 m\ndisc 1 5 radius 1 m\ndisc 90 0 radius 9 m fixed\n"
@@ -881,6 +881,197 @@ static void rigid_impact(void) {
       VALUES("rigid_impact", page, 0, {"impact.psi2", sticks ? 0 : (tan(angle) - 2 * mu * 3.5) / (mu * kappa)},
              {"impact.restitution", sticks ? hypot(cos(angle), 5. / 7 * sin(angle)) : slid});
     }
+}
+
+/* Removed: disc 2 of a row along (0.6, 0.8), a sphere in flight, and the wall `gate`. Discs of radius 2 have the mass 5;
+ * k_n is 20 between them, and 30 with walls, except 120/13 with the gate. Discs 1, 3 and 4 are pushed off by the springs of
+ * the walls that stay. Discs 5 and 6, one beyond each end of the gate, and 8, which moves, are no such neighbours; nor are
+ * discs 9 and 10, of which one touches only the gate and one only a wall that stays. */
+#define REMOVES(first, second)                                                                                         \
+  "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\n"                            \
+  "wall w (3 + 8) (4 - 6) to (3 - 8) (4 + 6) a\n"                                                                      \
+  "wall e (3 - 8 + 11.5*0.6) (4 + 6 + 11.5*0.8) to (3 + 8 + 11.5*0.6) (4 - 6 + 11.5*0.8) a\n"                          \
+  "wall low 80 -0.9 to 40 -0.9 a\nwall gate 40 0.9 to 60 0.9 b\n"                                                      \
+  "disc (3 + 1.9*0.6) (4 + 1.9*0.8) radius 2 m\ndisc (3 + 5.75*0.6) (4 + 5.75*0.8) radius 2 m\n"                       \
+  "disc (3 + 9.6*0.6) (4 + 9.6*0.8) radius 2 m spin 9\ndisc 50 0 radius 1 m\ndisc 39.4 1.7 radius 1.5 m\n"             \
+  "disc 60.3 1.3 radius 1 m\nsphere -70 7 radius 2 m velocity 3 -4 spin -6\ndisc 44 0 radius 1 m velocity 0 1e-9\n"    \
+  "disc 54 1.8 radius 1 m\ndisc 72 0 radius 1 m\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nmonitor D "     \
+  "disc 4\n"                                                                                                           \
+  "monitor E disc 8\nmonitor F disc 9\nmonitor G disc 10\nmonitor W wall low\nstep 0.01\nstage s\n" first              \
+  "cycles 7\nstage t\n" second
+#define GONE "remove disc 2\nremove sphere 7\nremove wall gate\n"
+static void taken_out(void) {
+  const double q = sqrt(6), q4 = sqrt(24), kb = 120. / 13, mass = 5. / (4 * pi) * 4 / 3 * pi * 8;
+  /* the springs: two of disc 2, and those of the gate at its ends and with discs 4, 8 and 9 */
+  const double springs = 2 * 20 * 0.15 * 0.15 / 2 + kb * (0.5 * 0.5 + 0.5 * 0.5 + 3 * 0.1 * 0.1) / 2;
+  const double removed = springs + mass * 25 / 2 + 0.4 * mass * 4 * 36 / 2;
+  const double begin = 0.07, early = 0.1 * (1 - cos(0.3 * q)), late = 0.1 * (1 + q * 0.65 - pi / 2);
+#define ALONG(name, x0, y0, dx, dy, early, late, v)                                                                    \
+  {name ".x", (x0), "time", 0.05}, {name ".y", (y0), "time", begin},                                                   \
+      {name ".x", (x0) + (dx) * (early), "time", begin + 0.3},                                                         \
+      {name ".y", (y0) + (dy) * (early), "time", begin + 0.3},                                                         \
+      {name ".x", (x0) + (dx) * (late), "time", begin + 0.65},                                                         \
+      {name ".y", (y0) + (dy) * (late), "time", begin + 0.65}, {name ".vx", (dx) * (v)}, {name ".vy", (dy) * (v)}
+  VALUES("taken_out", REMOVES("", GONE "cycles 65\n"), 1, {"energy.removed", removed},
+         ALONG("A", 3 + 1.9 * 0.6, 4 + 1.9 * 0.8, 0.6, 0.8, early, late, 0.1 * q),
+         ALONG("C", 3 + 9.6 * 0.6, 4 + 9.6 * 0.8, -0.6, -0.8, early, late, 0.1 * q),
+         ALONG("D", 50, 0, 0, 1, 0.1 * (1 - cos(0.3 * q4)), 0.1 * (1 + q4 * 0.65 - pi / 2), 0.1 * q4));
+  VALUES("taken_out", REMOVES("", GONE "cycles 64\n"), 1,
+         {"energy.removed", removed}, /* A and C still touch their walls */
+         ALONG("D", 50, 0, 0, 1, 0.1 * (1 - cos(0.3 * q4)), 0.1 * (1 + q4 * 0.65 - pi / 2), 0.1 * q4));
+#undef ALONG
+#define TWO "two stages, of which only the second removes something, and a step given as a time"
+  check_message("taken_out", REMOVES("remove disc 1\n", GONE "cycles 65\n"), TWO);
+  check_message("taken_out", REMOVES("remove wall low\n", GONE "cycles 65\n"), TWO);
+  check_message("taken_out", REMOVES("", GONE "cycles 65\nstage u\ncycles 1\n"), TWO);
+#undef TWO
+}
+
+/* Three stages before the reversal, one of them at rest, and two after it. */
+#define REVERSED(first, more)                                                                                          \
+  "material m density 2 kn 9\nnormal linear\ngravity 0.1 -0.2\ndisc 3 -4 radius 1 m velocity 2 -3 spin 5\n"            \
+  "sphere -7 8 radius 2 m velocity -1 6 spin -9\nwall w -9 0 to 9 0.1 m\nmonitor D disc 1\nmonitor E sphere 2\n"       \
+  "monitor W wall w\nstep 0.1\nstage a\n" first more
+static void time_reversal(void) {
+  VALUES("time_reversal",
+         REVERSED("wall w velocity 1 2\n",
+                  "cycles 3\nstage b\ncycles 4\nstage c\nreverse velocities\ncycles 5\nstage d\n"
+                  "cycles 2\n"),
+         0, {"D.x", 3}, {"D.y", -4}, {"D.angle", 0}, {"D.vx", -2}, {"D.vy", 3}, {"D.spin", -5}, {"E.x", -7}, {"E.y", 8},
+         {"E.angle", 0}, {"E.vx", 1}, {"E.vy", -6}, {"E.spin", 9});
+#define ONCE                                                                                                           \
+  "one `reverse velocities`, as many cycles before it as after it, and walls whose motion is set only in the first "   \
+  "stage"
+  PARTS("time_reversal", REVERSED("cycles 3\n", "@"), {"stage b\nreverse velocities\ncycles 3\n", NULL},
+        {"stage b\nreverse velocities\ncycles 2\n", ONCE}, {"stage b\nreverse velocities\ncycles 4\n", ONCE},
+        {"stage b\nreverse velocities\nwall w velocity 0 1\ncycles 3\n", ONCE},
+        {"stage b\nreverse velocities\ncycles 2\nstage c\nwall w velocity 0 1\ncycles 1\n", ONCE},
+        {"stage b\nreverse velocities\ncycles 1\nstage c\nreverse velocities\ncycles 2\n", ONCE});
+#undef ONCE
+}
+
+/* A disc of mass 5 and k_n = 20 hits an end of a wall head-on: it returns with the opposite relative velocity after an
+ * overlap of v (m/k)^(1/2). The wall from P = (3, 4) along (0.6, 0.8) moves; its ends are at P and at 10 from it. */
+#define HITS(x, y, vx, vy)                                                                                             \
+  "material m density (5/(4*pi)) kn 20\nnormal linear\ndisc (3 + 0.6*(" x ") - 0.8*(" y ")) (4 + 0.8*(" x              \
+  ") + 0.6*(" y ")) radius 2 m velocity (0.01 + 0.6*(" vx ") - 0.8*(" vy ")) (-0.02 + 0.8*(" vx ") + 0.6*(" vy         \
+  "))\nwall w 3 4 to 9 12 m velocity 0.01 -0.02\nmonitor D disc 1\nmonitor C disc 1 with wall w\nmonitor W wall w\n"   \
+  "step 0.1\nstage s\ncycles 1\n"
+static void wall_end(void) {
+  for (int end = 0; end < 2; end++) {
+    const double v = end ? -0.3 : 0.3, vx = 0.01 - 0.6 * v, vy = -0.02 - 0.8 * v;
+    const double before = pow(0.01 + 0.6 * v, 2) + pow(-0.02 + 0.8 * v, 2);
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    CU_ASSERT_EQUAL(
+        solve(&solution, "wall_end", end ? HITS("13", "0", "-0.3", "0") : HITS("-4", "0", "0.3", "0"), &error), NB_OK);
+    const struct expected expected[] = {
+        {"D.vx", vx}, {"D.vy", vy}, {"C.overlap max", 0.15}, {"energy.walls", 2.5 * (vx * vx + vy * vy - before)}};
+    CU_ASSERT_EQUAL(solution.value_count, 4);
+    for (int k = 0; k < 4; k++) {
+      const double *value = solution_find(&solution, expected[k].name);
+      CU_ASSERT(value && fabs(*value - expected[k].value) <= 1e-9 * fabs(expected[k].value));
+    }
+    solution_free(&solution);
+  }
+#define TOWARD "a particle that moves toward the end of the wall"
+#define BESIDE "a particle that touches the end only, not the wall beside it"
+  static const struct part parts[] = {
+      {HITS("13", "1.99", "-0.01", "0"), NULL},   {HITS("13", "2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "-1.99", "-0.01", "0"), NULL},  {HITS("13", "-2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "0", "0.01", "0"), TOWARD},     {HITS("12.01", "0", "-0.01", "0"), NULL},
+      {HITS("11.99", "0", "-0.01", "0"), TOWARD}, {HITS("-2.01", "0", "0.01", "0"), NULL},
+      {HITS("-1.99", "0", "0.01", "0"), TOWARD},  {HITS("10.01", "4", "0", "-0.001"), NULL},
+      {HITS("9.99", "4", "0", "-0.001"), BESIDE}, {HITS("-0.01", "-4", "0", "0.001"), NULL},
+      {HITS("0.01", "-4", "0", "0.001"), BESIDE}, {HITS("10.1", "2.5", "0", "-2"), NULL},
+      {HITS("10.5", "4", "-1", "-4"), BESIDE}};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    check_message("wall_end", parts[k].text, parts[k].message);
+#undef TOWARD
+#undef BESIDE
+}
+
+/* Nine discs of a square lattice with the spacing 1.999. */
+#define SQUARE(disc, size, step, stages)                                                                               \
+  "material m density 2 kn 9 ks 4 friction 1\nmaterial n density 2 kn 9 ks 4 friction 1\nnormal linear\nshear "        \
+  "linear\n"                                                                                                           \
+  "lattice discs 3 by 2 from 1 1 radius 1 spacing 1.999 m\nlattice discs 2 by 1 from 1 (1 + 2*1.999) radius 1 "        \
+  "spacing "                                                                                                           \
+  "1.999 m\ndisc " disc "\nperiodic cell 0 0 to " size "\nstep " step "\nstage s\n" stages
+static void servo_lattice(void) {
+#define AT "(1 + 2*1.999) (1 + 2*1.999) radius 1 m"
+#define SIZE "5.997 5.997"
+#define FITS                                                                                                           \
+  "a square lattice of equal discs in a rectangular cell, a step given as a time, and stages that strain the cell "    \
+  "without rotation, or control it with a servo, at rates in 1/s"
+#define STRAINS "cell strain 0.01 0.02 shear 0.03\ncycles 1\n"
+  PARTS("servo_lattice", SQUARE("@", SIZE, "0.1", STRAINS), {AT, NULL},
+        {"(1 + 2*1.999) (1 + 2*1.999) radius 1.0001 m", FITS}, {"(1 + 2*1.999) (1 + 2*1.999) radius 0.9999 m", FITS},
+        {"(1 + 2*1.999) (1 + 2*1.999) radius 1 n", FITS}, {"(1 + 2*1.999 + 2.1e-9) (1 + 2*1.999) radius 1 m", FITS},
+        {"(1 + 2*1.999 + 1.9e-9) (1 + 2*1.999 - 1.9e-9) radius 1 m", NULL},
+        {"(1 + 2*1.999) (1 + 2*1.999 - 2.1e-9) radius 1 m", FITS}, {AT "\ndisc 2 3 radius 0.1 m", FITS});
+  PARTS("servo_lattice", SQUARE(AT, "@", "0.1", STRAINS), {"5.997 11.994", FITS}, {"11.994 5.997", FITS});
+  PARTS("servo_lattice", SQUARE(AT, SIZE, "@", STRAINS), {"0.1", NULL}, {"0.1 of stable", FITS});
+#define ISOTROPIC "servo isotropic 3 on cell through cell at most 0.1 "
+  PARTS("servo_lattice", SQUARE(AT, SIZE, "0.1", "@"), {"cell strain 0.01 0.02 c12 0.03\ncycles 1\n", FITS},
+        {"cell strain 0.01 0.02 c21 0.03\ncycles 1\n", FITS},
+        {"cell strain 0.01 per cycle 0 per cycle\ncycles 1\n", FITS}, {ISOTROPIC "every 1 cycle\ncycles 1\n", NULL},
+        {ISOTROPIC "per cycle every 1 cycle\ncycles 1\n", FITS},
+        {STRAINS "stage t\n" ISOTROPIC "per cycle every 1 cycle\ncycles 1\n", FITS});
+#undef AT
+#undef SIZE
+#undef FITS
+#undef STRAINS
+#undef ISOTROPIC
+}
+
+#define RING(own, stages)                                                                                              \
+  "material m density 2 kn 9\nnormal linear\nsphere 1 2 radius 1 m" own                                                \
+  "\nsphere 9 2 radius 1 m\nsphere 1 10 radius 1 m\n"                                                                  \
+  "sphere -7 2 radius 1 m\nsphere 1 -6 radius 1 m\nboundary circle 1 2 radius 8\nmonitor D sphere 1\nstep "            \
+  "0.1\n" stages
+static void ring_strain(void) {
+#define SAME                                                                                                           \
+  "one stage with the same symmetric strain per cycle in `boundary strain` and `affine strain`, and a step given as "  \
+  "a "                                                                                                                 \
+  "time"
+#define DAMPED                                                                                                         \
+  "`damping con1` if particles have velocities, and for `accumulated` without damping and with particles at rest"
+#define BOTH(of, more) "stage s\nboundary strain " of "\naffine strain " of more "\ncycles 3\n"
+#define STRAIN "1e-3 per cycle -2e-3 per cycle shear 4e-4 per cycle"
+  PARTS("ring_strain", RING("", "@"), {BOTH(STRAIN, ""), NULL}, {BOTH("1e-3 -2e-3 shear 4e-4", ""), SAME},
+        {BOTH("1e-3 per cycle -2e-3 per cycle c12 4e-4 per cycle", ""), SAME},
+        {BOTH("1e-3 per cycle -2e-3 per cycle c21 4e-4 per cycle", ""), SAME},
+        {BOTH(STRAIN, "") "stage t\ncycles 1\n", SAME}, {BOTH(STRAIN, " accumulated"), NULL},
+        {"damping con1 0.9 as velocity\n" BOTH(STRAIN, ""), NULL},
+        {"damping con1 0.9 as velocity\n" BOTH(STRAIN, " accumulated"), DAMPED},
+        {"damping con1 1 as velocity\n" BOTH(STRAIN, " accumulated"), NULL});
+  PARTS("ring_strain", RING(" velocity 0 -1e-9", "@"), {BOTH(STRAIN, ""), DAMPED},
+        {"damping con1 0.9 as cs79\n" BOTH(STRAIN, ""), NULL}, {BOTH(STRAIN, " accumulated"), DAMPED});
+  /* From rest, a symmetric strain e per cycle: x_N = A^N x_0, and the area by det A. With CON1 of CS79 a velocity keeps
+   * k = g/(2 - g). The inner sphere is at (1.5, 1) from the centre and has the mass 8 pi/3. */
+  const double xx = 1e-3, yy = -2e-3, xy = 4e-4, keep = 0.9 / 1.1, mass = 8 * pi / 3;
+  double x = 1.5, y = 1, ox = 8, oy = 0, vx = 0.3, vy = -0.1, area = 128;
+  for (int n = 0; n < 3; n++) { /* the positions move by the strain and by the velocity over the step */
+    vx *= keep, vy *= keep;
+    const double nx = x + xx * x + xy * y + 0.1 * vx, ny = y + xy * x + yy * y + 0.1 * vy;
+    x = nx, y = ny, area *= (1 + xx) * (1 + yy) - xy * xy;
+    const double px = ox + xx * ox + xy * oy, py = oy + xy * ox + yy * oy;
+    ox = px, oy = py;
+  }
+  const double energy = mass / 2 * (0.09 + 0.01) * pow(keep, 6) * pow((1 + keep) / 2, 2);
+  VALUES("ring_strain",
+         "material m density 2 kn 9\nnormal linear\nsphere 2.5 3 radius 1 m velocity 0.3 -0.1\nsphere 9 2 radius 1 m\n"
+         "sphere 1 10 radius 1 m\nsphere -7 2 radius 1 m\nsphere 1 -6 radius 1 m\nboundary circle 1 2 radius 8\n"
+         "monitor D sphere 1\nmonitor E sphere 2\nmonitor C sphere 1 with sphere 2\nstep 0.1\ndamping con1 0.9 as "
+         "cs79\n" BOTH(STRAIN, ""),
+         1, {"D.x", 1 + x, "cycle", 3}, {"D.y", 2 + y, "cycle", 3}, {"E.x", 1 + ox, "cycle", 3},
+         {"E.y", 2 + oy, "cycle", 3}, {"boundary.area", area, "cycle", 3}, {"energy.kinetic", energy, "cycle", 3},
+         {"energy.kinetic", mass / 2 * 0.1, "cycle", 0}, {"boundary.area", 128, "cycle", 0}, {"D.x", 2.5, "cycle", 0});
+#undef SAME
+#undef DAMPED
+#undef BOTH
+#undef STRAIN
 }
 
 /* Two equal spheres that collide head-on have velocities after the impact; spheres of two materials or radii have none. */
@@ -1044,5 +1235,10 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, step_limit);
   CU_ADD_TEST(suite, speed_of_loading);
   CU_ADD_TEST(suite, rigid_impact);
+  CU_ADD_TEST(suite, taken_out);
+  CU_ADD_TEST(suite, time_reversal);
+  CU_ADD_TEST(suite, wall_end);
+  CU_ADD_TEST(suite, servo_lattice);
+  CU_ADD_TEST(suite, ring_strain);
   CU_ADD_TEST(suite, spheres_that_are_not_equal);
 }

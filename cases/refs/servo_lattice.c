@@ -109,7 +109,8 @@ static bool fits(const struct nb_scene *scene) {
   for (size_t b = 0; b < scene->particle_count && right; b++) {
     const struct nb_particle *particle = &scene->particles[b], *first = &scene->particles[0];
     const double spacing = sqrt(scene->cell.h[0] * scene->cell.h[3] / (double)scene->particle_count);
-    right = particle->radius == first->radius && fabs(remainder(particle->x - first->x, spacing)) < 1e-9 * spacing &&
+    right = particle->radius == first->radius && particle->material == first->material &&
+            fabs(remainder(particle->x - first->x, spacing)) < 1e-9 * spacing &&
             fabs(remainder(particle->y - first->y, spacing)) < 1e-9 * spacing;
   }
   for (size_t s = 0; s < scene->stage_count && right; s++) {
