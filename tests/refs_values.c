@@ -790,7 +790,7 @@ static void limits(const char *page, double single, double stable, double longes
   CU_ASSERT_EQUAL(solution.value_count, 3);
   solution_free(&solution);
 }
-#define HELD(shear, damping, particles)                                                                                   \
+#define HELD(shear, damping, particles)                                                                                \
   "material m density (5/(4*pi)) kn 20 ks 20 friction 1\nmaterial a kn 60 ks 180 friction 1\nmaterial b kn 6 ks 3 "    \
   "friction 1\nnormal linear\nshear " shear "\n" damping particles "step 0.01\nstage s\ncycles 1\n"
 #define CORNER "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b -9 0 to 9 0 b\n"

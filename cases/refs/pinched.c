@@ -7,8 +7,9 @@
  *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
  *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
  *
- * integrated by the method of Prince and Dormand, with the tolerance 1e-12, until the contacts end. To find this time,
- * the step in which they end is repeated with a quarter of its length, until it is shorter than 1e-18 s.
+ * integrated by the method of Prince and Dormand, with the tolerance 1e-12, until the contacts end, in steps of a
+ * hundredth of (m^2/(K^2 V))^(1/5), K = (4/3) E* sqrt(R*). To find the end, the step in which it occurs is repeated with a
+ * quarter of its length, until it is shorter than 1e-11 of the others.
  *
  * Returns:
  *   D.vy               after separation, for D that monitors the small sphere
@@ -42,11 +43,13 @@ static int slope(double t, const double u[], double du[], void *data) {
 /* Integrates from rest at y to separation. *speed: y' then; *largest: the largest overlap. False: GSL failed. */
 static bool integrate(struct pinch *p, double y, double *speed, double *largest) {
   const gsl_odeiv2_system system = {slope, NULL, 2, p};
-  gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);
+  const double whole = pow(pow(p->mass / p->stiffness, 2) / p->speed, 0.2) / 100;
+  gsl_odeiv2_driver *driver =
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, whole / 100, 1e-15 * p->sum, 1e-12);
   if (!driver)
     return false;
   gsl_odeiv2_driver_set_nmax(driver, 100000);
-  double t = 0, u[2] = {y, 0}, step = 1e-7;
+  double t = 0, u[2] = {y, 0}, step = whole;
   bool solved = true, touched = false;
   *largest = 0;
   for (long n = 0; n < 10000000 && solved; n++) {
@@ -57,7 +60,7 @@ static bool integrate(struct pinch *p, double y, double *speed, double *largest)
     *largest = alpha > *largest ? alpha : *largest;
     if (!(touched && alpha <= 0))
       continue;
-    if (step < 1e-18)
+    if (step < 1e-11 * whole)
       break;
     t = before, u[0] = previous[0], u[1] = previous[1], step /= 4;
     gsl_odeiv2_driver_reset(driver);
