@@ -260,6 +260,8 @@ static void impacts(void) {
        {"monitor   A", "wall far 9 m 9 m to 8 m 9 m light\nmonitor   A", "two spheres"},
        {"sphere    0 mm 1.35 mm", "sphere    0.001 mm 1.35 mm", "vertically below"},
        {"-2 mm 0 mm    to 2 mm 0 mm ", "0.01 mm 0 mm to 2 mm 0 mm ", "two horizontal walls"},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "-2 mm 0 mm    to 2 mm -0.01 mm ", "two horizontal walls"},
+       {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "-2 mm 1.8 mm  to 2 mm 1.79 mm ", "two horizontal walls"},
        {"-2 mm 0 mm    to 2 mm 0 mm ", "2 mm 0 mm to -0.01 mm 0 mm ", NULL},
        {"-2 mm 0 mm    to 2 mm 0 mm ", "-2 mm 0 mm to -0.01 mm 0 mm ", "two horizontal walls"},
        {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "2 mm 1.8 mm to 0.01 mm 1.8 mm ", "two horizontal walls"},

@@ -891,7 +891,8 @@ static void rigid_impact(void) {
 /* Removed: disc 2 of a row along (0.6, 0.8), a sphere in flight, and the wall `gate`. Discs of radius 2 have the mass 5;
  * k_n is 20 between them, and 30 with walls, except 120/13 with the gate. Discs 1, 3 and 4 are pushed off by the springs of
  * the walls that stay. Discs 5 and 6, one beyond each end of the gate, and 8, which moves, are no such neighbours; nor are
- * discs 9 and 10, of which one touches only the gate and one only a wall that stays. */
+ * discs 9 and 10, of which one touches only the gate and one only a wall that stays, nor 11 and 12, which touch each other,
+ * nor 13, which touches two walls that stay. */
 #define REMOVES(first, second)                                                                                         \
   "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\n"                            \
   "wall w (3 + 8) (4 - 6) to (3 - 8) (4 + 6) a\n"                                                                      \
@@ -900,15 +901,17 @@ static void rigid_impact(void) {
   "disc (3 + 1.9*0.6) (4 + 1.9*0.8) radius 2 m\ndisc (3 + 5.75*0.6) (4 + 5.75*0.8) radius 2 m\n"                       \
   "disc (3 + 9.6*0.6) (4 + 9.6*0.8) radius 2 m spin 9\ndisc 50 0 radius 1 m\ndisc 39.4 1.7 radius 1.5 m\n"             \
   "disc 60.3 1.3 radius 1 m\nsphere -70 7 radius 2 m velocity 3 -4 spin -6\ndisc 44 0 radius 1 m velocity 0 1e-9\n"    \
-  "disc 54 1.8 radius 1 m\ndisc 72 0 radius 1 m\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nmonitor D "     \
+  "disc 54 1.8 radius 1 m\ndisc 72 0 radius 1 m\ndisc 46.03 0 radius 1 m\ndisc 47.98 0 radius 1 m\ndisc 57.95 0 "      \
+  "radius "                                                                                                            \
+  "1 m\nwall post 57 -0.1 to 57 0.1 a\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nmonitor D "               \
   "disc 4\n"                                                                                                           \
-  "monitor E disc 8\nmonitor F disc 9\nmonitor G disc 10\nmonitor W wall low\nstep 0.01\nstage s\n" first              \
-  "cycles 7\nstage t\n" second
+  "monitor E disc 8\nmonitor F disc 9\nmonitor G disc 10\nmonitor H disc 11\nmonitor I disc 13\nmonitor W wall "       \
+  "low\nstep 0.01\nstage s\n" first "cycles 7\nstage t\n" second
 #define GONE "remove disc 2\nremove sphere 7\nremove wall gate\n"
 static void taken_out(void) {
   const double q = sqrt(6), q4 = sqrt(24), kb = 120. / 13, mass = 5. / (4 * pi) * 4 / 3 * pi * 8;
-  /* the springs: two of disc 2, and those of the gate at its ends and with discs 4, 8 and 9 */
-  const double springs = 2 * 20 * 0.15 * 0.15 / 2 + kb * (0.5 * 0.5 + 0.5 * 0.5 + 3 * 0.1 * 0.1) / 2;
+  /* the springs: two of disc 2, and those of the gate at its ends and with six discs of radius 1 */
+  const double springs = 2 * 20 * 0.15 * 0.15 / 2 + kb * (0.5 * 0.5 + 0.5 * 0.5 + 6 * 0.1 * 0.1) / 2;
   const double removed = springs + mass * 25 / 2 + 0.4 * mass * 4 * 36 / 2;
   const double begin = 0.07, early = 0.1 * (1 - cos(0.3 * q)), late = 0.1 * (1 + q * 0.65 - pi / 2);
 #define ALONG(name, x0, y0, dx, dy, early, late, v)                                                                    \
@@ -989,7 +992,8 @@ static void wall_end(void) {
       {HITS("-1.99", "0", "0.01", "0"), TOWARD},  {HITS("10.01", "4", "0", "-0.001"), NULL},
       {HITS("9.99", "4", "0", "-0.001"), BESIDE}, {HITS("-0.01", "-4", "0", "0.001"), NULL},
       {HITS("0.01", "-4", "0", "0.001"), BESIDE}, {HITS("10.1", "2.5", "0", "-2"), NULL},
-      {HITS("10.5", "4", "-1", "-4"), BESIDE}};
+      {HITS("10.5", "4", "-1", "-4"), BESIDE},    {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
+      {HITS("9.5", "4", "0.01", "-0.02"), NULL}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     check_message("wall_end", parts[k].text, parts[k].message);
 #undef TOWARD
@@ -1185,6 +1189,24 @@ static void path_springs(void) {
 #undef AT
 }
 
+/* No slip leads to a shear force above mu N, so that segment has no values, and there is no curve. */
+static void forces_above_the_limit(void) {
+  for (int over = 0; over < 2; over++)
+    for (int sign = -1; sign < 2; sign += 2) {
+      struct nb_solution solution;
+      struct nb_error error = {0};
+      char page[1024];
+      snprintf(page, sizeof page, TOUCHES("mindlin_deresiewicz", "segment q shear to %.17g hold normal in 3 steps\n"),
+               sign * (over ? 1.001 : 0.999) * 0.8 * hertz(0.04));
+      CU_ASSERT_EQUAL(solve(&solution, "path_springs", page, &error), NB_OK);
+      CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "shear in p"));
+      CU_ASSERT_EQUAL(solution_find(&solution, "shear in q") != NULL, !over);
+      CU_ASSERT_EQUAL(solution_find(&solution, "shear") != NULL, !over);
+      CU_ASSERT_EQUAL(solution_find_curve(&solution, "shear", "step") != NULL, !over);
+      solution_free(&solution);
+    }
+}
+
 /* [R89 3.95-3.97] at constant N, then a constant T and a deficit while N increases, and N u = N(zeta) while it
  * decreases. */
 static void path_randall(void) {
@@ -1218,6 +1240,16 @@ static void path_randall(void) {
            5 * u, deficit / 2);
   VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("v", 5 * u, tq, wq),
          AT("w", 5 * u + deficit / 2, tw, ww), LAST(5 * u + deficit / 2, tw, ww));
+  const double td = tt - stiff * deficit / 2, wd = wt - (tt + td) / 2 * deficit / 2; /* the same in re-unloading */
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 3 steps\n"
+                              "segment s slip by %.17g in 1 step\nsegment t slip by %.17g in 2 steps\n"
+                              "segment v overlap to 0.05 in 1 step\nsegment w slip by %.17g in 1 step\n"),
+           5 * u, -6 * u, 3 * u, -u, -deficit / 2);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, tr, wr), AT("s", 2 * u, ts, ws),
+         AT("t", u, tt, wt), AT("v", u, tt, wt), AT("w", u - deficit / 2, td, wd), {"slip", u - deficit / 2},
+         {"shear", td}, {"work.shear", wd}, {"slip", u, "step", 14}, {"shear", tt, "step", 14},
+         {"work.shear", wt, "step", 14});
   /* zeta decreases with alpha in loading, and by half as much in unloading */
   const double zeta = 0.04 * pow(1 - tq / n, 2. / 3) - 0.005;
   const double half = 0.04 * pow(1 - (tq - tr) / (2 * n), 2. / 3) - 0.0025;
@@ -1405,6 +1437,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, ring_strain);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);
+  CU_ADD_TEST(suite, forces_above_the_limit);
   CU_ADD_TEST(suite, path_randall);
   CU_ADD_TEST(suite, spheres_that_are_not_equal);
 }

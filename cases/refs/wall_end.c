@@ -84,8 +84,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double spin = (x * vy - y * vx) / v; /* b with the sign of the rotation */
   struct scatter it = {
       .v = v, .b = fabs(spin), .rate2 = matter_pair(scene, particle->material, wall->material).kn / m, .radius = R};
-  const double travel = -(x * vx + y * vy) / v - sqrt(R * R - it.b * it.b); /* before contact, m */
-  if (!(it.b < R && travel >= 0))
+  const double travel = -(x * vx + y * vy) / v - sqrt(R * R - it.b * it.b); /* before contact, m; NAN: it passes by */
+  if (!(travel >= 0))
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `wall_end` is for a particle that moves toward the end of the wall");
   it.closest = closest(&it);
