@@ -600,23 +600,80 @@ static void zigzag(void) {
          {"A.chains.bend", 2 * phi});
 }
 
-/* A packing of two discs with its state: another particle is refused. */
+/* A packing of three discs, and records of their state, which need not agree with it: the reference reads the numbers as
+ * they are. The files end in no extension, and `.state`. Another particle is refused, and a packing without a state. */
 static void packing(void) {
-  char folder[] = "/tmp/nineball-packing-XXXXXX", list[64], state[64], page[1024];
+  char folder[] = "/tmp/nineball.packing-XXXXXX", list[64], state[64], page[1024];
   CU_ASSERT_PTR_NOT_NULL_FATAL(mkdtemp(folder));
-  snprintf(list, sizeof list, "%s/two.tsv", folder), snprintf(state, sizeof state, "%s/two.state", folder);
-  FILE *file = fopen(list, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  fputs("x/-\ty/-\tradius/-\n0\t0\t1\n1.5\t0\t1\n", file), fclose(file);
-  file = fopen(state, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  fputs("fields normal\n", file), fclose(file);
+  snprintf(list, sizeof list, "%s/three", folder), snprintf(state, sizeof state, "%s/three.state", folder);
+  written_text(list, "x/-\ty/-\tradius/-\n0\t0\t1\n1.5\t0\t1\n9\t0\t2\n");
+  written_text(state, "body 2 disc m free 0x1p+0 1.25 -0x1p-1 3 4 5 6\nbody 3 disc m free 2 9.5 0.25 3 4 5 6\n"
+                      "contact 1 body 3 heard 9 8 0.5 0.6 0.7 0.8\nfields overlap normals normal ex\n"
+                      "contact 1 body 2 heard 9 8 0.1 0.2 0.3 0.4\ncontact 2 body 3 heard 9 8 0.5 0.6 0.9 0.8\n"
+                      "contact 2 wall f heard 9 8 1.1 1.2 1.3 1.4\n");
+#define READS                                                                                                          \
+  "material m density 1 kn 1\nnormal linear\nwall f -9 -1 to 9 -1 m\npacking %s discs m\n%smonitor D disc 2\n"         \
+  "monitor E disc 3\nmonitor C disc 2 with disc 1\nmonitor G disc 2 with disc 3\nmonitor W disc 2 with wall f\n"       \
+  "monitor X disc 1 with wall f\nmonitor Y disc 1 with disc 3\nstep 0.1\nstage s\ncycles 1\n"
   for (int k = 0; k < 2; k++) {
-    snprintf(page, sizeof page, "material m density 1 kn 1\npacking %s discs m\n%sstep 0.1\nstage s\ncycles 1\n", list,
-             k ? "disc 9 9 radius 1 m\n" : "");
+    snprintf(page, sizeof page, READS, list, k ? "disc 30 9 radius 1 m\n" : "");
     check_message("packing", page, k ? "one `packing`, and no other particles" : NULL);
   }
-  remove(list), remove(state), rmdir(folder);
+  snprintf(page, sizeof page, READS, list, "");
+  VALUES("packing", page, 0, {"D.x at 0 cycles", 1.25}, {"D.y at 0 cycles", -0.5}, {"E.x at 0 cycles", 9.5},
+         {"E.y at 0 cycles", 0.25}, {"C.normal at 0 cycles", 0.3}, {"C.shear at 0 cycles", 0},
+         {"G.normal at 0 cycles", 0.9}, {"G.shear at 0 cycles", 0}, {"W.normal at 0 cycles", 1.3},
+         {"W.shear at 0 cycles", 0}, {"contacts at 0 cycles", 3});
+#undef READS
+  remove(state);
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  char text[256];
+  CU_ASSERT_EQUAL(solve(&solution, "packing", page, &error), NB_BAD_USE);
+  snprintf(text, sizeof text,
+           "the reference `packing` needs the state that belongs to %s: a file of the same name that ends in .state",
+           list);
+  CU_ASSERT_STRING_EQUAL(error.text, text);
+  solution_free(&solution);
+  remove(list), rmdir(folder);
+}
+
+/* Two of three spheres collide; the third one only contributes to the mean radius, which is 2. The cycle with absolute
+ * positions needs `cycles` cycles until they have separated. */
+#define COLLIDE                                                                                                        \
+  "material g density 3 young 5000 poisson 0.2\nnormal hertz\nsphere %s 7 radius 1.5 g velocity 0.1 0\nsphere 4 7 "       \
+  "radius "                                                                                                            \
+  "0.5 g velocity -0.05 0\nsphere 40 7 radius 4 g\nmonitor A sphere 1\nmonitor B sphere 2\nmonitor F sphere 3\n"       \
+  "step 0.4 of rayleigh-fit-mean\nstage s\ncycles 5\nstage t\ncycles %lu\n"
+static void rayleigh_cycle(void) {
+  const double m[2] = {4 * pi * pow(1.5, 3), 4 * pi * pow(0.5, 3)};
+  const double dt = 0.4 * pi * 2 * sqrt(3 / (5000 / 2.4)) / (0.1631 * 0.2 + 0.876605);
+  const double k = 4. / 3 * 5000 / (2 * 0.96) * sqrt(1.5 * 0.5 / 2);
+  double x[2] = {1.9, 4}, v[2] = {0.1, -0.05};
+  unsigned long cycles = 0;
+  for (; x[1] - x[0] < 2 || v[1] < v[0]; cycles++) {
+    const double force = k * pow(fmax(2 - (x[1] - x[0]), 0), 1.5);
+    v[0] -= force / m[0] * dt, v[1] += force / m[1] * dt;
+    x[0] += v[0] * dt, x[1] += v[1] * dt;
+  }
+  CU_ASSERT_FATAL(cycles > 6);
+  char page[1024], text[128];
+  snprintf(page, sizeof page, COLLIDE, "1.9", cycles - 5);
+  VALUES("rayleigh_cycle", page, 1, {"A.vx", v[0]}, {"B.vx", v[1]});
+  snprintf(page, sizeof page, COLLIDE, "1.9", cycles - 6);
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(solve(&solution, "rayleigh_cycle", page, &error), NB_BAD_USE);
+  snprintf(text, sizeof text, "the particles have not collided and separated within the %lu cycles of the scene",
+           cycles - 1);
+  CU_ASSERT_STRING_EQUAL(error.text, text);
+  solution_free(&solution);
+  for (int apart = 0; apart < 2; apart++) {
+    snprintf(page, sizeof page, COLLIDE, apart ? "1.99" : "2.01", 900ul);
+    check_message("rayleigh_cycle", page,
+                  apart ? NULL
+                        : "two particles of one material that collide along x, and `step F of rayleigh-fit-mean`");
+  }
 }
 
 /* A small sphere between two that are fixed and approach along x: each other velocity is refused. */
@@ -1423,6 +1480,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, zigzag);
   CU_ADD_TEST(suite, momentum);
   CU_ADD_TEST(suite, packing);
+  CU_ADD_TEST(suite, rayleigh_cycle);
   CU_ADD_TEST(suite, pinched);
   CU_ADD_TEST(suite, slide_to_roll);
   CU_ADD_TEST(suite, rotation_off);
