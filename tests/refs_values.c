@@ -641,7 +641,7 @@ static void packing(void) {
 /* Two of three spheres collide; the third one only contributes to the mean radius, which is 2. The cycle with absolute
  * positions needs `cycles` cycles until they have separated. */
 #define COLLIDE                                                                                                        \
-  "material g density 3 young 5000 poisson 0.2\nnormal hertz\nsphere %s 7 radius 1.5 g velocity 0.1 0\nsphere 4 7 "       \
+  "material g density 3 young 5000 poisson 0.2\nnormal hertz\nsphere %s 7 radius 1.5 g velocity 0.1 0\nsphere 4 7 "    \
   "radius "                                                                                                            \
   "0.5 g velocity -0.05 0\nsphere 40 7 radius 4 g\nmonitor A sphere 1\nmonitor B sphere 2\nmonitor F sphere 3\n"       \
   "step 0.4 of rayleigh-fit-mean\nstage s\ncycles 5\nstage t\ncycles %lu\n"
@@ -1140,6 +1140,34 @@ static void ring_strain(void) {
 #undef STRAIN
 }
 
+/* A spinning sphere slides throughout its impact on a wall that rises along (0.8, 0.6), at psi1 = 4.5 chi: J_t = mu J_n, so
+ * V_T decreases by 7/2 mu (1 + e) V_N. Its mass is 4 pi/3 R^3 rho, and I = 2/5 m R^2. The wall has no spin. */
+#define REBOUNDS(angle)                                                                                                \
+  "material a density 3 kn 8 ks 4 friction 0.1\nmaterial b kn 12 ks 9 friction 0.3\nnormal linear\nshear linear\n"     \
+  "damping ratio 0.2\nsphere (7 - 0.6*5) (1 + 0.8*5) radius 2 a spin 0.05\nwall w (7 - 8) (1 - 6) to (7 + 8) (1 + 6) " \
+  "b\n"                                                                                                                \
+  "monitor D sphere 1\nmonitor C sphere 1 with wall w\nimpact C speed 0.3 angle " angle "\nstep 100 per collision\n"   \
+  "stage s\nuntil impact.time above 1.1 at most 999 cycles\n"
+static void rebound(void) {
+  const double mu = 0.1, e = exp(-pi * 0.2 / sqrt(1 - 0.04)), mass = 4 * pi / 3 * 8 * 3, inertia = 0.4 * mass * 4;
+  const double kappa = (1 / (1. / 16 + 1. / 24)) / (1 / (1. / 8 + 1. / 18)), chi = 3.5 / (2 * kappa);
+  /* V_T = 0.3 sin(A) + R w is 1.125 7 mu V_N, and V_N = 0.3 cos(A) */
+  double low = 0, high = pi / 2;
+  for (int n = 0; n < 100; n++) {
+    const double middle = (low + high) / 2;
+    *(0.3 * sin(middle) + 2 * 0.05 < 1.125 * 7 * mu * 0.3 * cos(middle) ? &low : &high) = middle;
+  }
+  const double vt = 0.3 * sin(low), vn = 0.3 * cos(low), jt = mu * (1 + e) * vn; /* J_t/m */
+  const double along = vt - jt, away = e * vn, spin = 0.05 - 2 * jt * mass / inertia;
+  char page[1024];
+  snprintf(page, sizeof page, REBOUNDS("%.17g"), low);
+  VALUES("rebound", page, 1, {"D.vx", 0.8 * along - 0.6 * away}, {"D.vy", 0.6 * along + 0.8 * away}, {"D.spin", spin},
+         {"impact.psi1", 4.5 * chi}, {"impact.psi2", 4.5 * chi - 2 * chi * (1 + e)},
+         {"impact.restitution", hypot(along, away) / 0.3},
+         {"energy.kinetic", (mass * (along * along + away * away) + inertia * spin * spin) / 2},
+         {"energy.kinetic max", (mass * 0.09 + inertia * 0.0025) / 2});
+}
+
 /* A contact of two spheres with R* = 1.2, mu = 0.8 and k_s = 15. */
 #define TOUCHES(law, path)                                                                                             \
   "path\nmaterial a young 4 poisson 0.25 ks 30 friction 0.8\nmaterial b young 6 poisson 0.2 ks 10 friction 0.9\n"      \
@@ -1174,7 +1202,8 @@ static void path_no_slip(void) {
            {"work.shear in r", wr}, {"slip in s", 0.002}, {"shear in s", ts}, {"work.shear in s", wr},
            {"slip in t", slip}, {"shear in t", tt}, {"work.shear in t", wt}, {"slip", slip}, {"shear", tt},
            {"work.shear", wt}, {"slip", -0.00025, "step", 3}, {"shear", tq / 4, "step", 3},
-           {"work.shear", wq / 16, "step", 3.4}, {"shear", (ts + tt) / 2, "step", 9}, {"shear", 0, "step", 0});
+           {"work.shear", wq / 16, "step", 2.6}, {"work.shear", wq / 16, "step", 3.4},
+           {"shear", (ts + tt) / 2, "step", 9}, {"shear", 0, "step", 0});
     /* the limit is mu N, also for T < 0 */
     const double largest = 0.8 * hertz(0.04) / (law ? k * sqrt(0.04) : 15);
     for (int over = 0; over < 2; over++)
@@ -1493,6 +1522,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, wall_end);
   CU_ADD_TEST(suite, servo_lattice);
   CU_ADD_TEST(suite, ring_strain);
+  CU_ADD_TEST(suite, rebound);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);
   CU_ADD_TEST(suite, forces_above_the_limit);
