@@ -251,7 +251,7 @@ static void uncovered_particles_and_regions_are_refused(void) {
       {"lattice_moduli",
        PAIR "periodic cell 0 0 to 6 6\nlattice discs 3 by 2 radius 1 a\nlattice discs 3 by 1 from 1 5 radius 1 spacing "
             "2 b\n" CELL,
-       "equal particles at rest", NULL},
+       "equal particles", NULL},
       {"lattice_moduli", PAIR "periodic cell 0 0 to 9 9\nlattice discs 3 by 3 radius 1 a\n" CELL, "four or six others",
        NULL},
       {"lattice_waves",

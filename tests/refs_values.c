@@ -1489,6 +1489,172 @@ static void filling(void) {
   written_free(&it);
 }
 
+/* Nine discs in a periodic cell. Only the last disc differs, or its velocity. */
+#define CELL_OF(w, h, friction)                                                                                        \
+  "material a density 1 kn 9 ks 4 friction " friction "\nmaterial b density 1 kn 8 ks 4 friction 1e9\n"                \
+  "normal linear\nshear linear\nperiodic cell 0 0 to " w " " h "\n"
+#define EIGHT                                                                                                          \
+  "lattice discs 3 by 2 from 1 1 radius 1 spacing 1.95 a\nlattice discs 2 by 1 from 1 4.9 radius 1 spacing 1.95 a\n"
+#define WAVE "perturb wave 1e-3 2e-3 periods 1 1\nmonitor D disc 2\nstep 0.1\nstage s\ncycles 1\n"
+/* Without rotation a wave in a square lattice has the displacements in x and y as modes, see lattice_waves.c. Disc 3 is above
+ * disc 1, which is at (1, 1) from the corner of the cell; the phase is 0 in its centre. */
+static void waves_of(int nx, int ny) {
+  char page[1024];
+  const double s = 1.95, mass = pi, across = 4 - 9 * (2 - s) / s, x = 2 * (1 - cos(2 * pi * nx / 3.)),
+               y = 2 * (1 - cos(2 * pi * ny / 3.));
+  const double wave = sin(2 * pi * (nx * (1 - 1.5 * s) + ny * (1 + 0.5 * s)) / (3 * s)), t = 0.7;
+  snprintf(page, sizeof page,
+           "material a density 1 kn 9 ks 4 friction 1e9\nnormal linear\nshear linear\nperiodic cell 2 3 to 7.85 8.85\n"
+           "lattice discs 1 by 3 from 3 4 radius 1 spacing 1.95 a\nlattice discs 1 by 3 from 4.95 4 radius 1 spacing "
+           "1.95 a\n"
+           "lattice discs 1 by 3 from 6.9 4 radius 1 spacing 1.95 a\nperturb wave 1e-3 2e-3 periods %d %d\n"
+           "monitor D disc 3\nmonitor C disc 1 with disc 2\nstep 0.1\nstage s\nrotation off\ncycles 1\n",
+           nx, ny);
+  VALUES("lattice_waves", page, 1e-3, {"D.vx", 1e-3 * wave * cos(sqrt((9 * x + across * y) / mass) * t), "time", t},
+         {"D.vy", 2e-3 * wave * cos(sqrt((9 * y + across * x) / mass) * t), "time", t}, {"D.spin", 0, "time", t});
+}
+static void lattice_waves(void) {
+  waves_of(0, 1), waves_of(1, 0), waves_of(1, 1), waves_of(1, -1);
+
+#define NINTH(disc) CELL_OF("5.85", "5.85", "1e6") EIGHT disc "\n" WAVE
+#define NEAREST "a lattice in which every particle overlaps four or six others"
+#define SINE "initial velocities that are one sine wave"
+#define LATTICE(w, h, lattice) CELL_OF(w, h, "1e9") "lattice discs " lattice " a\n" WAVE
+  PARTS(
+      "lattice_waves", "@", {NINTH("disc 4.9 4.9 radius 1 a"), NULL},
+      {NINTH("disc 4.9 4.9 radius 0.999 a"), "equal particles"}, {NINTH("disc 4.9 4.9 radius 1 b"), "equal particles"},
+      {NINTH("sphere 4.9 4.9 radius 1 a"), "equal particles"}, {NINTH("disc 4.9 4.9 radius 1 a velocity 1e-9 0"), SINE},
+      {NINTH("disc 4.9 4.9 radius 1 a velocity 0 1e-9"), SINE},
+      {NINTH("disc 4.9 4.9 radius 1 a") "stage t\ncycles 1\n", "one stage"},
+      {CELL_OF("5.85", "5.85", "9.9e5") EIGHT "disc 4.9 4.9 radius 1 a\n" WAVE,
+       "a friction of at least 1e6, so that no contact slides"},
+      {LATTICE("5.85", "5.85", "3 by 3 from 1 1 radius 1 spacing 1.95"), NULL},
+      {LATTICE("6", "6", "3 by 3 from 1 1 radius 1 spacing 2"), NEAREST},
+      {LATTICE("5.997", "5.997", "3 by 3 from 1 1 radius 1 spacing 1.999"), NULL},
+      {LATTICE("7.8", "(7.8*sqrt(0.75))", "4 by 4 hexagonal from 1 1 radius 1 spacing 1.95"), NULL},
+      {LATTICE("5.85", "5.8501", "3 by 3 from 1 1 radius 1 spacing 1.95"), NEAREST},
+      {CELL_OF("5.85", "5.85", "1e9") EIGHT "disc 4.9 4.9 radius 1 a\nmonitor D disc 2\nstep 0.1\nstage s\ncycles 1\n",
+       SINE});
+#undef NINTH
+#undef NEAREST
+#undef SINE
+#undef LATTICE
+}
+
+/* A lattice whose stress follows from its elastic moduli. */
+static void lattice_moduli(void) {
+#define SHEARED "step 0.1\nstage s\ncell strain -1e-3 -2e-3\ncycles 1\n"
+#define NINTH(disc) CELL_OF("5.85", "5.85", "0") EIGHT disc "\n" SHEARED
+#define EQUAL "equal particles"
+#define LATTICE(w, h, lattice) CELL_OF(w, h, "1") "lattice discs " lattice " a\n" SHEARED
+#define MOVING(strain) CELL_OF("5.85", "5.85", "1") EIGHT "disc 4.9 4.9 radius 1 a\n" strain
+  PARTS("lattice_moduli", "@", {NINTH("disc 4.9 4.9 radius 1 a"), NULL}, {NINTH("disc 4.9 4.9 radius 0.999 a"), EQUAL},
+        {NINTH("disc 4.9 4.9 radius 1 b"), EQUAL}, {NINTH("sphere 4.9 4.9 radius 1 a"), EQUAL},
+        {LATTICE("6", "6", "3 by 3 from 1 1 radius 1 spacing 2"), NULL},
+        {LATTICE("6.001", "6.001", "3 by 3 from 1 1 radius 1 spacing (2 + 1e-3/3)"),
+         "a lattice in which every particle touches four or six others"},
+        {LATTICE("5.8", "6.1", "3 by 3 from 1 1 radius 1 spacing 1.93333333"),
+         "a lattice in which every particle touches four or six others"},
+        {LATTICE("5.85", "5.8500001", "3 by 3 from 1 1 radius 1 spacing 1.95"), "a lattice that fills the cell"},
+        {LATTICE("5.85", "5.8499999", "3 by 3 from 1 1 radius 1 spacing 1.95"), "a lattice that fills the cell"},
+        {MOVING("step 0.1 of stable\nstage s\ncell strain 0 0\ncycles 1\n"),
+         "steps given as times, and strain rates without rotation"},
+        {MOVING("step 0.1\nstage s\ncell strain 0 0 c12 1e-3\ncycles 1\n"),
+         "steps given as times, and strain rates without rotation"});
+#undef NINTH
+#undef EQUAL
+#undef LATTICE
+#undef SHEARED
+#undef MOVING
+}
+
+/* An assembly that is at rest in an accumulated strain. */
+static void literal_field(void) {
+#define SPHERES(b)                                                                                                     \
+  "material a density 3 young 7 poisson 0.2\nmaterial b density 3 young 7 poisson 0.2\nnormal hertz\n"                 \
+  "shear mindlin\nsphere 0 0 radius 1 a\nsphere 5 0 radius 2 a\nsphere 0 5 radius 1 " b "\nregion R box 0 0 to 9 9\n"  \
+  "region S circle 1 2 radius 3\nmonitor D sphere 1\nstep 0.1 of rayleigh-fit-mean\n"
+#define LAST                                                                                                           \
+  "a last stage with `affine strain E -E accumulated` per cycle, and a step that is a fraction of rayleigh-fit-mean"
+#define STRAIN(e) "stage s\naffine strain " e " accumulated\ncycles 1\n"
+  const double mass = 3 * 4 * pi / 3 * 10 / 3, radius = 4. / 3, shear = 7 / 2.4;
+  const double step = 0.25 * pi * radius * sqrt(3 / shear) / (0.1631 * 0.2 + 0.876605);
+  VALUES("literal_field",
+         SPHERES("a") STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 0.25 of rayleigh-fit-mean\naffine strain "
+                                                               "-2e-6 per cycle 2e-6 per cycle accumulated\ncycles 1\n",
+         0, {"S.unbalanced.force in t", mass * 2 / 3 * 3 * 2e-6 / (step * step)});
+  PARTS("literal_field", SPHERES("a") "@", {STRAIN("1e-6 per cycle -1e-6 per cycle"), NULL},
+        {STRAIN("1e-6 per cycle -1.1e-6 per cycle"), LAST}, {STRAIN("1e-6 per cycle 1e-6 per cycle"), LAST},
+        {STRAIN("1e-6 -1e-6"), LAST}, {STRAIN("1e-6 per cycle -1e-6 per cycle c12 1e-9 per cycle"), LAST},
+        {STRAIN("1e-6 per cycle -1e-6 per cycle c21 -1e-9 per cycle"), LAST},
+        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\naffine strain 1e-6 per cycle -1e-6 per cycle\ncycles 1\n",
+         LAST},
+        {"stage r\naffine strain 1e-6 per cycle -2e-6 per cycle\ncycles 1\n" STRAIN("1e-6 per cycle -1e-6 per cycle"),
+         NULL},
+        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 0.1 of rayleigh-fit\ncycles 1\n", LAST},
+        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 1e-3\ncycles 1\n", LAST});
+  PARTS("literal_field", SPHERES("@") STRAIN("1e-6 per cycle -1e-6 per cycle"), {"a", NULL},
+        {"b", "particles of one material"});
+#undef SPHERES
+#undef LAST
+#undef STRAIN
+}
+
+/* Discs of radius 1 at (1.9 i + 0.4 j, 1.8 j). */
+static void lattice_stress(void) {
+#define ROWS(first, fourth, box)                                                                                       \
+  "material a density 1 kn 9\nmaterial b density 1 kn 8\nnormal linear\n" first                                        \
+  "lattice discs 3 by 1 from 0.4 1.8 radius 1 spacing 1.9 a\n" fourth "region R " box                                  \
+  "\nmonitor D disc 1\nstep 1\nstage s\ncycles 1\n"
+#define FIRST "lattice discs 3 by 1 from 0 0 radius 1 spacing 1.9 a\n"
+#define FOURTH "lattice discs 3 by 1 from 0.8 3.6 radius 1 spacing 1.9 a\n"
+#define BOX "box 0.3 0.2 to 4.1 2"
+#define EQUAL "equal discs with linear springs in a lattice, without walls"
+#define CELLS "regions that are boxes of whole cells"
+  const double s = 1.9, h = 1.8, p[3][2] = {{1.9, 0}, {0.4, 1.8}, {-1.5, 1.8}};
+  double sigma[3] = {0}, phi[3] = {0}, fourth[3] = {0};
+  int z = 0;
+  for (int k = 0; k < 3; k++) {
+    const double d = hypot(p[k][0], p[k][1]), x = p[k][0] / d, y = p[k][1] / d, force = 9 * (2 - d) * d / (s * h);
+    if (d >= 2)
+      continue;
+    sigma[0] += force * x * x, sigma[1] += force * x * y, sigma[2] += force * y * y;
+    phi[0] += x * x, phi[1] += x * y, phi[2] += y * y, z++;
+    fourth[0] += pow(x, 4), fourth[1] += x * x * y * y, fourth[2] += pow(y, 4);
+  }
+  VALUES("lattice_stress", ROWS(FIRST, FOURTH, BOX), 0, {"R.stress.xx at 0 cycles", sigma[0]},
+         {"R.stress.xy at 0 cycles", sigma[1]}, {"R.stress.yy at 0 cycles", sigma[2]},
+         {"R.stress.mean at 0 cycles", (sigma[0] + sigma[2]) / 2},
+         {"R.stress.sinphi at 0 cycles",
+          sqrt(pow(sigma[0] - sigma[2], 2) + 4 * sigma[1] * sigma[1]) / (sigma[0] + sigma[2])},
+         {"R.fabric.xx at 0 cycles", phi[0] / z}, {"R.fabric.xy at 0 cycles", phi[1] / z},
+         {"R.fabric.yy at 0 cycles", phi[2] / z}, {"R.fabric.fourth.xxxx at 0 cycles", fourth[0] / z},
+         {"R.fabric.fourth.xxyy at 0 cycles", fourth[1] / z}, {"R.fabric.fourth.yyyy at 0 cycles", fourth[2] / z},
+         {"R.fabric.kk at 0 cycles", 2 * z / (s * h)}, {"R.coordination at 0 cycles", 2 * z},
+         {"R.porosity at 0 cycles", 1 - pi / (s * h)});
+#define THIRD(more) "disc 0.8 3.6 radius 1 a\n" more "\n"
+  PARTS("lattice_stress", "@", {ROWS(FIRST, "", BOX), NULL},
+        {ROWS("disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\n", "", BOX), NULL}, {ROWS("", "", BOX), EQUAL},
+        {ROWS("lattice discs 4 by 1 from -7.2 1.8 radius 1 spacing 1.9 a\n", "", BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 a"), BOX), NULL},
+        {ROWS(FIRST, THIRD("disc 2.7001 3.6 radius 1 a"), BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.6001 radius 1 a"), BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.5999 radius 1 a"), BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1.001 a"), BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 0.999 a"), BOX), EQUAL},
+        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 b"), BOX), EQUAL}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.2 2"), CELLS},
+        {ROWS(FIRST, "", "box 0.3 0.2 to 4 2"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 2.1"), CELLS},
+        {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 1.9"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 2.2 3.8"), NULL},
+        {ROWS(FIRST, "", "circle 2 2 radius 1.9"), CELLS});
+#undef ROWS
+#undef FIRST
+#undef FOURTH
+#undef BOX
+#undef EQUAL
+#undef CELLS
+#undef THIRD
+}
+
 static int released(void) {
   release();
   return 0;
@@ -1528,4 +1694,8 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, forces_above_the_limit);
   CU_ADD_TEST(suite, path_randall);
   CU_ADD_TEST(suite, spheres_that_are_not_equal);
+  CU_ADD_TEST(suite, lattice_waves);
+  CU_ADD_TEST(suite, lattice_moduli);
+  CU_ADD_TEST(suite, literal_field);
+  CU_ADD_TEST(suite, lattice_stress);
 }

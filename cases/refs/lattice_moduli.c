@@ -93,8 +93,8 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
   it->pair = matter_pair(scene, first->material, first->material);
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
-        scene->particles[k].shape != first->shape || scene->particles[k].vx != 0 || scene->particles[k].vy != 0)
-      return refuse(error, "equal particles at rest");
+        scene->particles[k].shape != first->shape)
+      return refuse(error, "equal particles");
   if (it->hertz ? strcmp(scene->shear, "none") != 0
                 : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
     return refuse(error, "linear springs, or elastic spheres without shear");

@@ -67,7 +67,7 @@ static double area_inside(const struct nb_region *region, const struct nb_partic
     cut.x = hypot(x, y), cut.y = 0; /* rotated so that the particle lies in +x */
   const double half = box ? region->half_y : R;
   const double low = fmax(-half, cut.y - particle->radius), high = fmin(half, cut.y + particle->radius);
-  if (!(high > low) || (!box && cut.x >= R + particle->radius))
+  if (!(high > low))
     return 0;
   gsl_integration_cquad_workspace *workspace = gsl_integration_cquad_workspace_alloc(200);
   gsl_function f = {common_length, &cut};
