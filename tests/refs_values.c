@@ -1168,6 +1168,55 @@ static void rebound(void) {
          {"energy.kinetic max", (mass * 0.09 + inertia * 0.0025) / 2});
 }
 
+/* Two discs in a row along (0.6, 0.8) between walls that move inward at 0.01. Displacements along the row, from disc 1 to
+ * disc 2; the springs are 30, 20 and 120/13, and the masses 5 and 1.25. */
+#define INCLINED_ROW(more)                                                                                             \
+  "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\ndisc 3 4 radius 2 m\n"       \
+  "disc (3 + 1.8) (4 + 2.4) radius 1 m\nwall p (3 - 1.2 - 8) (4 - 1.6 + 6) to (3 - 1.2 + 8) (4 - 1.6 - 6) a\n"         \
+  "wall q (3 + 2.4 + 8) (4 + 3.2 - 6) to (3 + 2.4 - 8) (4 + 3.2 + 6) b\nmonitor D disc 1\nmonitor E disc 2\n"          \
+  "monitor A disc 1 with wall p\nmonitor B disc 2 with disc 1\nmonitor C disc 2 with wall q\nmonitor W wall p\n"       \
+  "step 0.1\nstage s\nwall p velocity 0.006 0.008\nwall q velocity -0.006 -0.008\ncycles 4\nstage t\nwalls stop\n"     \
+  "cycles 9\n" more
+static void two_walls(void) {
+  const double k[3] = {30, 20, 120. / 13}, force = 2 * 0.04 * 0.1 / (1 / k[0] + 1 / k[1] + 1 / k[2]);
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(solve(&solution, "two_wall_compression", INCLINED_ROW(""), &error), NB_OK);
+  double x = 0, y = 0, vx = 0, vy = 0;
+  for (int n = 1; n <= 4; n++) {
+    x += 0.1 * vx, y += 0.1 * vy;
+    const double overlap[3] = {n * 0.001 - x, x - y, n * 0.001 + y};
+    const double fx = k[0] * overlap[0] - k[1] * overlap[1], fy = k[1] * overlap[1] - k[2] * overlap[2];
+    const struct expected expected[] = {{"A.overlap", overlap[0]},
+                                        {"B.overlap", overlap[1]},
+                                        {"C.overlap", overlap[2]},
+                                        {"A.normal", k[0] * overlap[0]},
+                                        {"B.normal", k[1] * overlap[1]},
+                                        {"C.normal", k[2] * overlap[2]},
+                                        {"D.fx", 0.6 * fx},
+                                        {"D.fy", 0.8 * fx},
+                                        {"E.fx", 0.6 * fy},
+                                        {"E.fy", 0.8 * fy},
+                                        {"D.vx.half", 0.6 * vx},
+                                        {"D.vy.half", 0.8 * vx},
+                                        {"E.vx.half", 0.6 * vy},
+                                        {"E.vy.half", 0.8 * vy}};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+      char name[64];
+      snprintf(name, sizeof name, "%s at %d cycles", expected[i].name, n);
+      const double *value = solution_find(&solution, name);
+      CU_ASSERT(value && fabs(*value - expected[i].value) <= 1e-12);
+    }
+    CU_ASSERT_EQUAL(solution.value_count, 4 * 14);
+    vx += 0.1 * fx / 5, vy += 0.1 * fy / 1.25;
+  }
+  solution_free(&solution);
+  VALUES("two_wall_statics", INCLINED_ROW(""), 0, {"A.normal", force}, {"A.normal mean", force},
+         {"A.overlap", force / k[0]}, {"A.shear", 0}, {"B.normal", force}, {"B.normal mean", force},
+         {"B.overlap", force / k[1]}, {"B.shear", 0}, {"C.normal", force}, {"C.normal mean", force},
+         {"C.overlap", force / k[2]}, {"C.shear", 0});
+}
+
 /* A contact of two spheres with R* = 1.2, mu = 0.8 and k_s = 15. */
 #define TOUCHES(law, path)                                                                                             \
   "path\nmaterial a young 4 poisson 0.25 ks 30 friction 0.8\nmaterial b young 6 poisson 0.2 ks 10 friction 0.9\n"      \
@@ -1689,6 +1738,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, servo_lattice);
   CU_ADD_TEST(suite, ring_strain);
   CU_ADD_TEST(suite, rebound);
+  CU_ADD_TEST(suite, two_walls);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);
   CU_ADD_TEST(suite, forces_above_the_limit);
