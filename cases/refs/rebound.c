@@ -80,7 +80,7 @@ static const char *read_impact(struct impact *it, const struct nb_scene *scene) 
   it->chi = it->mass * it->inverse_mass / (2 * it->kappa);
   it->beta = scene->damping.contact;
   it->e = hertz ? hertz_restitution(it->beta) : exp(-M_PI * it->beta / sqrt(1 - it->beta * it->beta));
-  return !(it->vn > 0) ? "an impact" : it->e > 0 ? NULL : separation;
+  return it->e > 0 ? NULL : separation;
 }
 
 static const char *refuse(const struct nb_scene *scene) {
