@@ -164,7 +164,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     why = read_impact(&it, scene);
   const double psi1 = why ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
   if (!why && psi1 >= no_slip && psi1 < 4 * it.chi &&
-      (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
+      strcmp(scene->shear, "mindlin_deresiewicz") != 0) /* it needs `normal hertz` */
     why = "`normal hertz` with `shear mindlin_deresiewicz`, or for gross sliding throughout, impact.psi1 >= 4 chi";
   if (why)
     return nb_error_set(error, NB_BAD_USE, "the reference `rebound` is for %s", why);
