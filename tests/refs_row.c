@@ -84,6 +84,7 @@ static void hand_ends_with_the_first_motion(void) {
   it.stages[1].motion_count = 0; /* the walls keep moving, in longer steps */
   it.stages[1].step.value = 2 * step;
   solution = refs_solution("two_wall_compression", &it);
+  CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "A.normal", "cycle")); /* the modes are for one step */
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 3 cycles"));
   CU_ASSERT_PTR_NULL(solution_find(&solution, "A.normal at 4 cycles"));
   solution_free(&solution);

@@ -1020,7 +1020,8 @@ static void time_reversal(void) {
 #define HITS(x, y, vx, vy)                                                                                             \
   "material m density (5/(4*pi)) kn 20\nnormal linear\ndisc (3 + 0.6*(" x ") - 0.8*(" y ")) (4 + 0.8*(" x              \
   ") + 0.6*(" y ")) radius 2 m velocity (0.01 + 0.6*(" vx ") - 0.8*(" vy ")) (-0.02 + 0.8*(" vx ") + 0.6*(" vy         \
-  "))\nwall w 3 4 to 9 12 m velocity 0.01 -0.02\nmonitor D disc 1\nmonitor C disc 1 with wall w\nmonitor W wall w\n"   \
+  "))\nwall w 3 4 to 9 12 m about 3 4 velocity 0.01 -0.02\nmonitor D disc 1\nmonitor C disc 1 with wall w\nmonitor W " \
+  "wall w\n"                                                                                                           \
   "step 0.1\nstage s\ncycles 1\n"
 static void wall_end(void) {
   for (int end = 0; end < 2; end++) {
@@ -1050,7 +1051,7 @@ static void wall_end(void) {
       {HITS("9.99", "4", "0", "-0.001"), BESIDE}, {HITS("-0.01", "-4", "0", "0.001"), NULL},
       {HITS("0.01", "-4", "0", "0.001"), BESIDE}, {HITS("10.1", "2.5", "0", "-2"), NULL},
       {HITS("10.5", "4", "-1", "-4"), BESIDE},    {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
-      {HITS("9.5", "4", "0.01", "-0.02"), NULL}};
+      {HITS("9.5", "4", "0.01", "-0.02"), NULL},  {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     check_message("wall_end", parts[k].text, parts[k].message);
 #undef TOWARD
@@ -1215,6 +1216,30 @@ static void two_walls(void) {
          {"A.overlap", force / k[0]}, {"A.shear", 0}, {"B.normal", force}, {"B.normal mean", force},
          {"B.overlap", force / k[1]}, {"B.shear", 0}, {"C.normal", force}, {"C.normal mean", force},
          {"C.overlap", force / k[2]}, {"C.shear", 0});
+}
+
+/* Seven equal spheres of R = 1 and E* = 5/1.92: every contact has N = 3^(1/2)/4 p d h with h = 2, at the distance d. The
+ * last of three stages counts. */
+#define SEVEN(stages)                                                                                                  \
+  "material g density 3 young 5 poisson 0.2\nnormal hertz\nsphere 0 0 radius 1 g\nsphere 2 0 radius 1 g\n"             \
+  "sphere 1 (sqrt(3)) radius 1 g\nsphere -1 (sqrt(3)) radius 1 g\nsphere -2 0 radius 1 g\n"                            \
+  "sphere -1 (-sqrt(3)) radius 1 g\nsphere 1 (-sqrt(3)) radius 1 g\nboundary circle 0 0 radius 1.5\n"                  \
+  "monitor A sphere 1 with sphere 2\nmonitor B sphere 7 with sphere 2\nmonitor D sphere 1\nstep 0.1\n"                 \
+  "stage s\nboundary stress 0.3 0.4\ncycles 1\nstage t\nboundary stress 0.05 0.05\ncycles 1\n" stages
+static void stress_ring(void) {
+  double low = 1, high = 2;
+  for (int n = 0; n < 100; n++) {
+    const double d = (low + high) / 2, overlap = 4. / 3 * 5 / 1.92 * sqrt(0.5) * pow(2 - d, 1.5);
+    *(overlap > sqrt(3) / 4 * 0.02 * d * 2 ? &low : &high) = d;
+  }
+  const double force = sqrt(3) / 4 * 0.02 * low * 2;
+  VALUES("stress_ring", SEVEN("stage u\nboundary stress 0.02 0.02\ncycles 1\n"), 100, {"A.normal in u", force},
+         {"B.normal in u", force}, {"boundary.radius in u", low}, {"boundary.roughness in u", 0},
+         {"boundary.area in u", 1.5 * sqrt(3) * low * low}, {"boundary.stress.mean in u", 0.02});
+#define ISOTROPIC "six spheres of two sizes in turn around a seventh, and an isotropic boundary stress"
+  PARTS("stress_ring", SEVEN("@"), {"", NULL}, {"stage u\nboundary stress 0.02 0.03\ncycles 1\n", ISOTROPIC},
+        {"stage u\nboundary stress 0.02 0.02 shear -0.001\ncycles 1\n", ISOTROPIC}, {"stage u\ncycles 1\n", ISOTROPIC});
+#undef ISOTROPIC
 }
 
 /* A contact of two spheres with R* = 1.2, mu = 0.8 and k_s = 15. */
@@ -1738,6 +1763,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, servo_lattice);
   CU_ADD_TEST(suite, ring_strain);
   CU_ADD_TEST(suite, rebound);
+  CU_ADD_TEST(suite, stress_ring);
   CU_ADD_TEST(suite, two_walls);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);

@@ -89,7 +89,7 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_boundary *load = &scene->stages[scene->stage_count - 1].boundary;
-  if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
+  if (!is_ring(scene) || !load->line || load->sxx != load->syy || load->sxy != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `stress_ring` is for six spheres of two sizes in turn around a seventh, and an "
                         "isotropic boundary "
