@@ -1646,8 +1646,9 @@ static void lattice_moduli(void) {
 static void literal_field(void) {
 #define SPHERES(b)                                                                                                     \
   "material a density 3 young 7 poisson 0.2\nmaterial b density 3 young 7 poisson 0.2\nnormal hertz\n"                 \
-  "shear mindlin\nsphere 0 0 radius 1 a\nsphere 5 0 radius 2 a\nsphere 0 5 radius 1 " b "\nregion R box 0 0 to 9 9\n"  \
-  "region S circle 1 2 radius 3\nmonitor D sphere 1\nstep 0.1 of rayleigh-fit-mean\n"
+  "shear mindlin\nsphere 0 0 radius 1 a\nsphere 5 0 radius 2 a\nsphere 0 5 radius 1 " b                                \
+  "\nregion S circle 1 2 radius 3\n"                                                                                   \
+  "region R box 0 0 to 9 9\nmonitor D sphere 1\nstep 0.1 of rayleigh-fit-mean\n"
 #define LAST                                                                                                           \
   "a last stage with `affine strain E -E accumulated` per cycle, and a step that is a fraction of rayleigh-fit-mean"
 #define STRAIN(e) "stage s\naffine strain " e " accumulated\ncycles 1\n"
