@@ -328,6 +328,8 @@ SUITES = \
   tests/refs_refuses.c \
   tests/refs_row.c \
   tests/refs_values.c \
+  tests/refs_rows.c \
+  tests/refs_ladder.c \
   tests/refs_impact.c \
   tests/refs_loops.c \
   tests/refs_contact.c \

@@ -16,7 +16,8 @@
  *   C.normal versus cycle, time             for C that monitors a contact
  *   C.normal mean, C.normal frequency       for C that monitors a contact, if a single mode moves and is stable
  *   D.x, D.vx.half versus cycle, time       for D that monitors a particle
- *   time in STAGE                           of a stage that lasts until one of these quantities is above a value
+ *   time in STAGE                           of a stage that lasts until one of these quantities is above a value, which
+ *                                           is checked every cycle
  *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1
  * Exact while no contact opens, because a straight row of linear springs is a linear system. The reference does not
  * check that contacts stay closed.
@@ -75,7 +76,7 @@ static double omega(const struct chain *chain, size_t j) {
 
 /* sin(q l) of particle l, counted from 1; 0 at the walls. */
 static double shape(const struct chain *chain, size_t j, size_t l) {
-  return l == 0 || l == chain->n + 1 ? 0 : sin(pi * (double)(j * l) / (double)(chain->n + 1));
+  return sin(pi * (double)(j * l) / (double)(chain->n + 1));
 }
 
 /* Adds two curves of rest + factor (u_a - u_b), one versus cycle and one versus time. If b = a, they are curves of rest
@@ -140,7 +141,7 @@ static void add_ends(struct nb_solution *solution, const struct nb_scene *scene,
     }
     const struct nb_condition *until = &stage->conditions[0];
     const struct nb_solution_curve *curve = solution_find_curve(solution, until->name, "cycle");
-    if (stage->condition_count > 1 || until->relation != NB_ABOVE || !curve)
+    if (stage->condition_count > 1 || stage->check_interval > 1 || until->relation != NB_ABOVE || !curve)
       return;
     do
       n++;

@@ -33,7 +33,7 @@ enum { POINTS = 16, CONTACTS = 8 };
 struct contact {
   double radius, young; /* R*, m; E*, Pa */
   double fraction;      /* overlap of this contact over s, dimensionless */
-  double touch, rate;   /* y of the upper wall at which all contacts just touch, m; -ds/dy, dimensionless */
+  double touch;         /* y of the upper wall at which all contacts just touch, m */
 };
 
 /* alpha and N of a contact circle of radius a. */
@@ -64,9 +64,10 @@ static double force_at(const void *data, double overlap) {
   return 0;
 }
 
+/* s = 2 (touch - y), because both walls move. */
 static double overlap_at_wall(const void *data, double y) {
   const struct contact *contact = data;
-  return fmax(contact->fraction * contact->rate * (contact->touch - y), 0);
+  return fmax(contact->fraction * 2 * (contact->touch - y), 0);
 }
 static double force_at_wall(const void *data, double y) { return force_at(data, overlap_at_wall(data, y)); }
 
@@ -85,8 +86,6 @@ static bool symmetric(const struct nb_scene *scene) {
     for (size_t m = 0; m < scene->stages[s].motion_count; m++) {
       const struct nb_wall_motion *motion = &scene->stages[s].motions[m];
       v[motion->wall] += motion->vy;
-      if (motion->vx != 0 || motion->spin != 0)
-        return false;
     }
     if (v[0] + v[1] != 0)
       return false;
@@ -101,7 +100,7 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 /* Finds the contacts, from the lower wall to the upper one. */
 static enum nb_status column(struct contact *contact, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
-  double compliance = 0, top = scene->walls[0].y;
+  double compliance = 0, height = 0;
   for (size_t c = 0; c <= n; c++) {
     const struct nb_particle *below = c ? &scene->particles[c - 1] : NULL, *above = c < n ? &scene->particles[c] : NULL;
     const int a = below ? below->material : scene->walls[0].material,
@@ -110,13 +109,13 @@ static enum nb_status column(struct contact *contact, const struct nb_scene *sce
     contact[c].young = matter_pair(scene, a, b).young;
     contact[c].fraction = pow(contact[c].young * sqrt(contact[c].radius), -2. / 3); /* up to a common factor */
     compliance += contact[c].fraction;
-    top += above ? 2 * above->radius : 0;
+    height += above ? 2 * above->radius : 0;
     if (above && above->x != scene->particles[0].x)
       return refuse(error, "spheres one above the other, in the order of the page");
   }
   for (size_t c = 0; c <= n; c++)
-    contact[c].fraction /= compliance, contact[c].touch = top, contact[c].rate = 2;
-  if (fabs(top - scene->walls[1].y) > 1e-12 * top)
+    contact[c].fraction /= compliance, contact[c].touch = scene->walls[0].y + height;
+  if (fabs(scene->walls[0].y + height - scene->walls[1].y) > 1e-12 * height)
     return refuse(error, "walls and spheres that just touch at first");
   return NB_OK;
 }
@@ -129,6 +128,16 @@ static enum nb_status solve_contact_test(struct nb_solution *solution, const str
                             .young = matter_pair(scene, a->material, b ? b->material : scene->walls[0].material).young};
   add_value(solution, "normal", "overlap", force_at, &contact);
   return solution_status(solution, error);
+}
+
+/* The number of the monitored contact in a column of n spheres, counted from the lower wall; -1: it is not one of them. */
+static int contact_number(const struct nb_monitor *monitor, int n) {
+  const int a = monitor->a, b = monitor->b;
+  if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE && (a == b + 1 || b == a + 1))
+    return a > b ? a : b;
+  if (monitor->kind == NB_MONITOR_PARTICLE_WALL && a == (b ? n - 1 : 0))
+    return b ? n : 0;
+  return -1;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
@@ -145,13 +154,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       upper = scene->monitors[w].name;
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
-    const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
+    const int c = contact_number(monitor, (int)scene->particle_count);
     char along[2 * NB_NAME_SIZE], normal[2 * NB_NAME_SIZE], overlap[2 * NB_NAME_SIZE];
-    if (!wall && monitor->kind != NB_MONITOR_PARTICLE_PARTICLE)
+    if (c < 0)
       continue;
-    const int c = !wall             ? (monitor->a > monitor->b ? monitor->a : monitor->b)
-                  : monitor->b == 0 ? 0
-                                    : (int)scene->particle_count;
     snprintf(normal, sizeof normal, "%s.normal", monitor->name);
     snprintf(overlap, sizeof overlap, "%s.overlap", monitor->name);
     add_value(solution, normal, overlap, force_at, &contact[c]);

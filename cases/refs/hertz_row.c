@@ -68,9 +68,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     largest = fmax(largest, rate2(scene, i, force) + rate2(scene, i + 1, force));
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
-    if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE)
+    const int a = monitor->a, b = monitor->b;
+    if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE || (a != b + 1 && b != a + 1))
       continue;
-    const size_t c = (size_t)(monitor->a > monitor->b ? monitor->a : monitor->b);
+    const size_t c = (size_t)(a > b ? a : b);
     single_add(solution, monitor->name, "normal", NULL, force);
     single_add(solution, monitor->name, "overlap", NULL, pow(force / hertz_constant(scene, c), 2 / 3.));
   }
