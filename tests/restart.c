@@ -33,6 +33,13 @@ static void add_note(void *data, const char *text) {
   strcat(notes, text), strcat(notes, "\n");
 }
 
+/* The first report of progress. */
+static void note_first(void *data, const char *stage, double fraction, double seconds) {
+  double *done = data;
+  (void)stage, (void)seconds;
+  *done = *done == 0 ? fraction : *done;
+}
+
 static void folder_make(struct folder *folder) {
   *folder = (struct folder){.path = "/tmp/nineball-restart-XXXXXX", .files = written_open_files()};
   CU_ASSERT_PTR_NOT_NULL_FATAL(mkdtemp(folder->path));
@@ -142,6 +149,13 @@ static void a_missing_state_is_computed(void) {
   CU_ASSERT_PTR_NOT_NULL_FATAL(model);
   CU_ASSERT(model->cycle == 3 && written_now(model, "D.x") == model->particles.position[0].x);
   nb_model_free(model);
+  double done = 0; /* the first cycle of four: those of the first page do not count */
+  struct nb_result result;
+  it.scene.stages[it.scene.stage_count - 1].cycles = 4;
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, &folder.options, &(struct nb_progress){note_first, NULL, &done}, &error),
+                  NB_OK);
+  CU_ASSERT_EQUAL(done, 0.25);
+  nb_result_free(&result);
   written_free(&it);
   folder_remove(&folder);
 }
