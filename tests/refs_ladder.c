@@ -11,7 +11,8 @@
 #include "suites.h"
 
 /* Solves contact_ladder for a sphere of radius 0.02 on a wall, with N = 8, mu = 0.5 and k_s = 16, and a slip to these
- * multiples of `unit` in the segments a, b, ..., each in one step. */
+ * multiples of `unit` in the segments a, b, ..., each in one step. The springs of the law `linear` do not depend on
+ * sizes, so a slip in +x is tried with a sphere in place of the wall. */
 static struct nb_solution ladder(const char *law, double unit, const double *to, int count) {
   struct nb_solution solution;
   struct nb_error error = {0};
@@ -19,9 +20,9 @@ static struct nb_solution ladder(const char *law, double unit, const double *to,
   end += sprintf(end,
                  "path\nmaterial q young 2e6 poisson 0.3 kn 3 ks 40 friction 0.5\n"
                  "material w young 7e6 poisson 0.2 kn 5 ks 10 friction 0.6\n"
-                 "contact sphere 0.02 q with wall w\nnormal hertz\nshear %s\nrecord step slip shear\n"
+                 "contact sphere 0.02 q with %s w\nnormal hertz\nshear %s\nrecord step slip shear\n"
                  "segment press normal to 8 in 1 step\n",
-                 law);
+                 strcmp(law, "linear") == 0 && unit > 0 ? "sphere 0.05" : "wall", law);
   for (int k = 0; k < count; k++)
     end += sprintf(end, "segment %c slip to %.17g in 1 step\n", 'a' + k, to[k] * unit);
   CU_ASSERT_EQUAL(solve(&solution, "contact_ladder", page, &error), NB_OK);

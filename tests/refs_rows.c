@@ -68,10 +68,10 @@ static void chain(void) {
   /* One sphere between two walls is an oscillator with 2 k/m = 10, of any position. So is the mode of two spheres that
    * move together, which has k/m = 5, and the mode of two that move in opposite directions, which has 3 k/m = 15. In
    * steps its phase grows by acos(1 - w^2 dt^2/2). */
-#define SWING(w2) (acos(1 - (w2)*0.05 * 0.05 / 2) / (2 * pi * 0.05))
+#define FREQUENCY(w2) (acos(1 - (w2)*0.05 * 0.05 / 2) / (2 * pi * 0.05))
 #define FIRST(force) {"L.normal", (force), "cycle", 1}, {"L.normal", (force), "time", 0.05}
 #define KNOWN(w2)                                                                                                      \
-  {"L.normal frequency", SWING(w2)}, { "L.normal mean", 7.5 }
+  {"L.normal frequency", FREQUENCY(w2)}, { "L.normal mean", 7.5 }
   VALUES("chain", ROW("velocity -0.1 0", "", LEFT RIGHT("6.75")) "monitor L sphere 1 with wall l\n" STEP, 0,
          FIRST(7.5 + 30 * 0.1 * 0.05), KNOWN(10.));
 #define TWO(speed)                                                                                                     \
@@ -114,7 +114,7 @@ static void chain(void) {
 #undef TWO
 #undef FIRST
 #undef KNOWN
-#undef SWING
+#undef FREQUENCY
 }
 
 static void other_chains(void) {
