@@ -199,7 +199,7 @@ static void restitution_and_duration_in_steps(void) {
     const double in = 5e-6 / dt + (k ? phase : 0), out = in + 20.4 - shorter;
     const double error = 1.25 * pow(f, 2.5) * (hurwitz(out - floor(out)) - hurwitz(ceil(in) - in));
     REFS_NEAR(refs_value(&solution, "impact.duration"), duration - shorter * dt, 1e-9, dt);
-    REFS_NEAR(refs_value(&solution, "impact.restitution") - 1, error, 1e-6, pow(f, 2.5));
+    REFS_NEAR(refs_value(&solution, "impact.restitution") - 1, error, 1e-7, pow(f, 2.5));
     solution_free(&solution), solution_free(&exact);
   }
 }

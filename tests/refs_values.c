@@ -384,7 +384,7 @@ static void carried(void) {
   "material m density 1 kn 200\nmaterial o density 1 kn 201\nnormal linear\n"                                          \
   "disc 1 2 radius 2 m\ndisc (1 + 2.34) (2 + 3.12) radius 2 m\ndisc (1 + 4.68) (2 + 6.24) radius 2 m\n" disc4          \
   "\n" walls "region R box -3 -2 to 12 16\nregion Q box -3 -2 to 9 16\nregion P box 0.5 -2 to 12 16\nregion C circle " \
-  "1 2 radius 40\n"                                                                                                    \
+  "1 2 radius 40\nregion L box 0 -2 to 12 16\nregion B box -3 0.6 to 12 16\nregion T box -3 -2 to 12 12\n"             \
   "monitor D disc 1\nstep 0.01\nrecord R.stress.xx\nstage s\ncycles 1\n"
 #define DISC4 "disc (1 + 7.02) (2 + 9.36) radius 2 m"
 /* A wall at the distance d from the first disc along the row, and its direction. */

@@ -73,7 +73,7 @@ static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
     nx++;
   *it = (struct lattice){(double)nx, (double)(scene->particle_count / nx), first->radius,
                          matter_pair(scene, first->material, first->material).kn};
-  bool right = scene->wall_count == 4 && scene->particle_count % nx == 0;
+  bool right = scene->particle_count % nx == 0;
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
     const double x = first->x + 2 * it->r * (double)(k % nx), y = first->y + 2 * it->r * (double)(k / nx);

@@ -13,6 +13,8 @@
  * bisection between the lowest point and the next highest one. If u is not above 0 at that highest point, the particle
  * stays in contact.
  *
+ * Accepts a run with at most 128 contacts, because the pieces are stored.
+ *
  * Returns, for D that monitors the particle and C its contact:   D.y, D.vy versus time; C.overlap max
  * Exact in continuous time. In a run a contact begins within a step, and the force of a dashpot jumps there: the error
  * is of first order in the step with a dashpot, of second order without.
@@ -87,6 +89,15 @@ static void find_pieces(struct fall *f, double height) {
   }
 }
 
+/* Whether the run ends before the last piece that is stored. */
+static bool covers(const struct fall *f, const struct nb_scene *scene, double step) {
+  const struct piece *last = &f->pieces[f->count - 1];
+  double end = 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    end += (double)scene->stages[s].cycles * step;
+  return end <= last->begin + duration(f, last);
+}
+
 static void at(const struct fall *f, double t, double *u, double *v) {
   int k = 0;
   while (k + 1 < f->count && f->pieces[k + 1].begin <= t)
@@ -121,6 +132,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       .g = particle.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = particle.radius};
   fall.floor = scene->walls[0].y;
   find_pieces(&fall, particle.height - particle.radius);
+  if (!covers(&fall, scene, particle.step))
+    return nb_error_set(error, NB_BAD_USE, "the reference `free_fall` is for a run with at most %d contacts",
+                        PIECES / 2);
   single_curve(solution, particle.particle, "y", y_at, &fall, sizeof fall);
   single_curve(solution, particle.particle, "vy", vy_at, &fall, sizeof fall);
   if (fall.count > 1) {

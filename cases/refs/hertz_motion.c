@@ -27,8 +27,6 @@ bool hertz_integrate(double y[], double beta, int along, double to) {
   struct motion motion = {sqrt(7.5) * beta, along};
   gsl_odeiv2_system system = {slope, NULL, HERTZ_UNKNOWNS, &motion};
   double x = y[along];
-  if (x == to)
-    return true;
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-6, to - x), 1e-13, 0);
   const bool solved = driver && !gsl_odeiv2_driver_set_nmax(driver, 100000) &&
