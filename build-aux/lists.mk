@@ -330,6 +330,7 @@ SUITES = \
   tests/refs_values.c \
   tests/refs_rows.c \
   tests/refs_limits.c \
+  tests/refs_motion.c \
   tests/refs_ladder.c \
   tests/refs_impact.c \
   tests/refs_loops.c \

@@ -468,7 +468,12 @@ static void zigzag(void) {
   for (int k = 0; k < 5; k++)
     snprintf(page + strlen(page), sizeof page - strlen(page), "disc %.17g %.17g radius 1 m%s\n",
              k % 2 ? 1.99 * sin(phi) : 0, 1.99 * k * cos(phi), k % 4 ? "" : " fixed");
-  snprintf(page + strlen(page), sizeof page - strlen(page), "record A.chains\nstage s\ncycles 1\n");
+  strcat(page, "stage s\ncycles 1\n");
+  char without[sizeof page];
+  const char *const region = strstr(page, "region A all\n"), *const after = region + strlen("region A all\n");
+  snprintf(without, sizeof without, "%.*s%s", (int)(region - page), page, after);
+  check_message("zigzag", without,
+                "a region and three or more free discs whose contacts all make the same angle with y");
   VALUES("zigzag", page, 1, {"A.chains", 1}, {"A.chains.length", 3}, {"A.chains.fraction", 0.75},
          {"A.chains.bend", 2 * phi});
 }
@@ -488,10 +493,16 @@ static void packing(void) {
   "material m density 1 kn 1\nnormal linear\nwall f -9 -1 to 9 -1 m\npacking %s discs m\n%smonitor D disc 2\n"         \
   "monitor E disc 3\nmonitor C disc 2 with disc 1\nmonitor G disc 2 with disc 3\nmonitor W disc 2 with wall f\n"       \
   "monitor X disc 1 with wall f\nmonitor Y disc 1 with disc 3\nstep 0.1\nstage s\ncycles 1\n"
-  for (int k = 0; k < 2; k++) {
-    snprintf(page, sizeof page, READS, list, k ? "disc 30 9 radius 1 m\n" : "");
+  char again[128];
+  snprintf(again, sizeof again, "packing %s discs m\n", list);
+  const char *const more[] = {"", "disc 30 9 radius 1 m\n", again};
+  for (int k = 0; k < 3; k++) {
+    snprintf(page, sizeof page, READS, list, more[k]);
     check_message("packing", page, k ? "one `packing`, and no other particles" : NULL);
   }
+  check_message("packing",
+                "material m density 1 kn 1\nnormal linear\ndisc 0 0 radius 1 m\nstep 0.1\nstage s\ncycles 1\n",
+                "one `packing`, and no other particles");
   snprintf(page, sizeof page, READS, list, "");
   VALUES("packing", page, 0, {"D.x at 0 cycles", 1.25}, {"D.y at 0 cycles", -0.5}, {"E.x at 0 cycles", 9.5},
          {"E.y at 0 cycles", 0.25}, {"C.normal at 0 cycles", 0.3}, {"C.shear at 0 cycles", 0},

@@ -81,8 +81,6 @@ static bool slides_to_the_end(const struct plane *f) {
     for (int end = 0; end < 2; end++)
       if (f->p[s][end] < -(1 + f->q) * f->mu * f->n[s][end])
         return false;
-    if (slides && sliding_begin(f, s) > 0)
-      return false;
     slides = slides || sliding_begin(f, s) < 1;
     if (slides && !(f->p[s][1] > (1 + f->q) * f->mu * f->n[s][1]))
       return false;

@@ -158,8 +158,6 @@ static enum nb_status check_size(const struct nb_scene *scene, struct nb_error *
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
   *lattice = (struct lattice){.freedom_count = 3 * scene->particle_count};
   enum nb_status status = check_size(scene, error);
-  if (status == NB_OK && scene->wall_count == 0)
-    status = nb_error_set(error, NB_BAD_USE, "this reference is for particles between walls");
   if (status == NB_OK)
     status = lattice_read_walls(lattice, scene, error);
   if (status == NB_OK)

@@ -64,7 +64,7 @@ struct lattice {
   unsigned long cycles;   /* number of cycles of all stages */
 };
 
-/* NB_BAD_USE and an error in words when the scene is not such a network, or has no walls. */
+/* The scene has walls. NB_BAD_USE and an error in words when it is not such a network. */
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
 /* The network of all pairs whose gap is smaller than `largest_gap`, m, except pairs without a free particle. It may
  * have any loading: only contacts, stretch, wall_stretch and springs are set. NB_BAD_USE: no pair, or too many

@@ -125,8 +125,6 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   if (scene->wall_count) {
     const struct nb_wall *wall = pair->wall = &scene->walls[0];
     y[SECOND + X] = wall->x, y[SECOND + Y] = wall->y, y[SECOND + VX] = wall->vx, y[SECOND + VY] = wall->vy;
-    if (wall->spin != 0)
-      return refuse(error, "a wall that does not turn");
   }
   pair->values = matter_pair(scene, a, pair->wall ? pair->wall->material : scene->particles[1].material);
   pair->has_shear = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
