@@ -71,7 +71,7 @@ static void one_contact_covers(void) {
 #undef OPPOSITE
 }
 
-/* Two heavy spheres of the radii 1 and 2 that move along straight lines. The slip has s' = v.t - 1 w_1 - 2 w_2, with the
+/* Two heavy spheres of the radii 1 and 2 that move along straight lines. The slip has s' = v.t - 1 w_1 - 2 w_2 with the
  * tangent of each time. Its integral and that of energy.balance follow by Simpson's rule. */
 static void one_contact_values(void) {
   static const double mass[2] = {1e30 * 4 / 3, 8e30 * 4 / 3}; /* over pi */
