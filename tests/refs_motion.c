@@ -158,6 +158,10 @@ static void incline(void) {
 #undef DOWN
 #undef TURN
 #undef SECOND
+  /* p = 3 + 3.6 f slides from f = 5/6, where the speed is 2.5. */
+  VALUES("incline", PLANE("3 -4", "stage a\nramp gravity 6.6 -4\ncycles 100\n"), 1,
+         {"D.vx in a", 2.5 + 2.8 - 5 / 6. - 1.25}, {"D.spin in a", -(2.5 + 4 / 6.) / 0.8}, {"D.vx", 0, "time", 0},
+         {"D.spin", 0, "time", 0});
 }
 #undef PLANE
 

@@ -92,7 +92,7 @@ void lattice_row_free(struct lattice_row *row) { lattice_free(&row->lattice); }
 
 int lattice_row_place(const struct lattice_row *row, int contact) {
   for (int place = 0; place < 3; place++)
-    if (contact >= 0 && row->contact[place] == (size_t)contact)
+    if (row->contact[place] == (size_t)contact)
       return place;
   return -1;
 }

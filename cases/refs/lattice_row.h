@@ -18,5 +18,5 @@ struct lattice_row {
 /* NB_BAD_USE when the scene is not such a row. */
 enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error);
 void lattice_row_free(struct lattice_row *row);
-/* The place of the contact with this index in the lattice: 0, 1, 2 for A, B, C; -1 for any other contact. */
+/* The place of the contact with this index in the lattice: 0, 1, 2 for A, B, C; -1 for any other contact and for -1. */
 int lattice_row_place(const struct lattice_row *row, int contact);
