@@ -215,6 +215,10 @@ static void many_bounces(void) {
         {DROP("0 -9", "-0.3", "none"), NULL}, {DROP("0 -9", "-0.5", "none"), FALLS},
         {DROP("0 -9", "2", "ratio 1"), FALLS}, {DROP("0 -9", "2", "ratio 1.5"), FALLS},
         {DROP("0 -9", "-0.4999", "ratio 0.5"), "a particle that leaves the wall again"});
+  /* A low drop: the contact lasts almost 2 pi/w, because eps = g/(w v) is 3 and 100. */
+  const double low = rebound(k / m, 2 * 0.005 * sqrt(k / m), g, sqrt(2 * g * 0.003));
+  VALUES("many_bounces", DROP("0 -9", "-0.497", "ratio 0.005"), 1, {"D.y in b", -0.5 + low * low / (2 * g)});
+  VALUES("many_bounces", DROP("0 -9", "-0.499997", "none"), 1, {"D.y in b", -0.499997});
 #undef DROP
 #undef UNTIL
 #undef FALLS

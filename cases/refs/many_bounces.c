@@ -7,8 +7,8 @@
  *   u = exp(-b t) sin(s t)/s + eps (1 - exp(-b t) (cos s t + b/s sin s t))
  *
  * The contact ends at the first root of u after 0, with the speed -u' v, and the particle rises by (u' v)^2/(2 g).
- * Newton's method finds the root from t = pi/s, the root without weight. To first order in eps the coefficient of
- * restitution e = -u' is
+ * The root is between the largest u, where tan s t = s/(b - eps), and the next smallest u, half a period later. To first
+ * order in eps the coefficient of restitution e = -u' is
  *
  *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
@@ -24,19 +24,27 @@
 
 #include "single.h"
 
+static double overlap(double b, double eps, double t) {
+  const double s = sqrt(1 - b * b), fade = exp(-b * t), sine = sin(s * t) / s;
+  return fade * sine + eps * (1 - fade * (cos(s * t) + b * sine));
+}
+static double approach(double b, double eps, double t) {
+  const double s = sqrt(1 - b * b), fade = exp(-b * t), sine = sin(s * t) / s;
+  return fade * (cos(s * t) - b * sine) + eps * fade * sine;
+}
+
 /* The coefficient of restitution; NAN: the weight keeps the particle on the wall. */
 static double restitution(double b, double eps) {
   const double s = sqrt(1 - b * b);
-  double t = 3.14159265358979323846 / s, slope = NAN;
-  for (int k = 0; k < 50; k++) {
-    const double fade = exp(-b * t), sine = sin(s * t) / s, cosine = cos(s * t);
-    const double u = fade * sine + eps * (1 - fade * (cosine + b * sine));
-    slope = fade * (cosine - b * sine) + eps * fade * sine;
-    t -= u / slope;
-    if (fabs(u) < 1e-15)
-      return slope < 0 && t > 0 ? -slope : NAN;
+  double low = atan2(s, b - eps) / s, high = low + 3.14159265358979323846 / s; /* u' = 0 at both */
+  if (overlap(b, eps, high) >= 0)
+    return NAN;
+  for (;;) {
+    const double t = (low + high) / 2;
+    if (t <= low || t >= high)
+      return -approach(b, eps, t);
+    *(overlap(b, eps, t) > 0 ? &low : &high) = t;
   }
-  return NAN;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
