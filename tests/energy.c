@@ -201,14 +201,15 @@ static void by_gravity(void) {
 static void by_walls_and_stored(void) {
   struct written it;
   struct nb_model *model =
-      made(&it, "units none\nmaterial m density 3 kn 400\ndisc 0 1 radius 1 m\n"
-                "disc 0 3 radius 1 m fixed\nwall w -5 0 to 5 0 m velocity 0 0.5\nstep 0.001\n"
-                "record energy.walls energy.stored energy.kinetic momentum.y\nstage s\ncycles 9\n");
+      made(&it, "units none\nmaterial m density 3 kn 400\ndisc 2 1 radius 1 m\n"
+                "disc 2 3 radius 1 m fixed\nwall w -5 0 to 5 0 m velocity 0 0.5\nstep 0.001\n"
+                "record energy.walls energy.stored energy.kinetic momentum.y momentum.angular\nstage s\ncycles 9\n");
   CU_ASSERT_EQUAL(written_now(model, "energy.walls"), 0);
   written_cycles(model, 1);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.y"), 400 * 0.0005 * 0.0005, 1e-15); /* F dt/2 */
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.angular"), 2 * 400 * 0.0005 * 0.0005, 1e-15);
   nb_model_free(model);
   written_free(&it);
 }

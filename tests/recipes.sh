@@ -118,4 +118,8 @@ EOF
 "$nineball" figure apart.md -o apart --trust >"$why" 2>&1 &&
   grep -qF 'apart.md:16: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why"
 result $? "a contact network without contacts: a warning"
+sed "s/^disc     4 0/sweep x 4 5 6\n&/; s/^disc     4/disc     \$x/; s/_particles'/_particles_1'/; s/_contacts'/_contacts_1'/" apart.md >apart-sweep.md
+"$nineball" figure apart-sweep.md -o apart --trust >"$why" 2>&1 &&
+  test "$(grep -cF 'apart-sweep.md:17: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why")" = 1
+result $? "a contact network without contacts in three runs: one warning"
 echo "1..$n"
