@@ -328,8 +328,10 @@ SUITES = \
   tests/refs_refuses.c \
   tests/refs_row.c \
   tests/refs_values.c \
-  tests/refs_rows.c \
-  tests/refs_limits.c \
+  tests/refs_hertz_rows.c \
+  tests/refs_hertz_motion.c \
+  tests/refs_lattices.c \
+  tests/refs_paths.c \
   tests/refs_motion.c \
   tests/refs_ladder.c \
   tests/refs_impact.c \

@@ -25,7 +25,7 @@ static struct nb_solution ladder(const char *law, double unit, const double *to,
                  strcmp(law, "linear") == 0 && unit > 0 ? "sphere 0.05" : "wall", law);
   for (int k = 0; k < count; k++)
     end += sprintf(end, "segment %c slip to %.17g in 1 step\n", 'a' + k, to[k] * unit);
-  CU_ASSERT_EQUAL(solve(&solution, "contact_ladder", page, &error), NB_OK);
+  CU_ASSERT_EQUAL(refs_solve(&solution, "contact_ladder", page, &error), NB_OK);
   return solution;
 }
 /* Compares the shear force, in units of mu N = 4, and its work, in units of mu N times `unit`, at the end of each

@@ -1,5 +1,6 @@
-/* The references of the motion of one particle or of two (one_contact, incline, many_bounces): values on scenes without
- * symmetry, and the edges of what they cover.
+/* References of the motion of one particle or of two (one_contact, incline, many_bounces, free_fall, slide_to_roll,
+ * rotation_off, wedge, rigid_impact, rebound, time_reversal, wall_end): values on scenes without symmetry, and the edges
+ * of what they cover.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -167,7 +168,7 @@ static void incline(void) {
 
 /* The overlap q(t) of an impact with the speed v, with weight: q'' = g - (c/m) q' - (k/m) q. Returns the speed of
  * separation. Runge-Kutta of fourth order, with a last step that ends at q = 0. */
-static double rebound(double square, double rate, double g, double v) {
+static double rebound_speed(double square, double rate, double g, double v) {
   const double h = 2e-4 / sqrt(square);
   double q[2] = {0, v};
   for (double step = h; fabs(step) > 1e-10 * h;) {
@@ -191,7 +192,7 @@ static void many_bounces(void) {
   const double drop = 2.5, g = 9, k = 500, m = 3, ratio = 0.1;
   double rise[3], e = drop;
   for (int n = 0; n < 3; n++) {
-    const double v = rebound(k / m, 2 * ratio * sqrt(k / m), g, sqrt(2 * g * e));
+    const double v = rebound_speed(k / m, 2 * ratio * sqrt(k / m), g, sqrt(2 * g * e));
     rise[n] = e = v * v / (2 * g);
   }
 #define DROP(damping, stages)                                                                                          \
@@ -216,12 +217,344 @@ static void many_bounces(void) {
         {DROP("0 -9", "2", "ratio 1"), FALLS}, {DROP("0 -9", "2", "ratio 1.5"), FALLS},
         {DROP("0 -9", "-0.4999", "ratio 0.5"), "a particle that leaves the wall again"});
   /* A low drop: the contact lasts almost 2 pi/w, because eps = g/(w v) is 3 and 100. */
-  const double low = rebound(k / m, 2 * 0.005 * sqrt(k / m), g, sqrt(2 * g * 0.003));
+  const double low = rebound_speed(k / m, 2 * 0.005 * sqrt(k / m), g, sqrt(2 * g * 0.003));
   VALUES("many_bounces", DROP("0 -9", "-0.497", "ratio 0.005"), 1, {"D.y in b", -0.5 + low * low / (2 * g)});
   VALUES("many_bounces", DROP("0 -9", "-0.499997", "none"), 1, {"D.y in b", -0.499997});
 #undef DROP
 #undef UNTIL
 #undef FALLS
+}
+
+/* A disc of mass 5 on a spring of k = 20 falls from the height 1 with g = 0.5: it flies for 2, 4, 4, … and touches for
+ * pi - atan(4) each time. The 128th contact ends at 2 + 127*4 + 128*1.8158 = 742.4. */
+static void last_contact(void) {
+#define FALLS(g, y, step, stages)                                                                                      \
+  "material m density (5/(4*pi)) kn 20\nnormal linear\ngravity 0 " g "\ndisc 7 " y " radius 2 m\nwall f 9 3 to 5 3 "   \
+  "m\nmonitor D disc 1\nallow unstable\nstep " step "\n" stages
+#define LAST "a run with at most 128 contacts"
+  PARTS("free_fall", "@", {FALLS("-0.5", "6", "1", "stage s\ncycles 700\nstage t\ncycles 42\n"), NULL},
+        {FALLS("-0.5", "6", "1", "stage s\ncycles 700\nstage t\ncycles 43\n"), LAST},
+        {FALLS("-0.5", "6", "2 of single-contact", "stage s\ncycles 371\n"), NULL}, /* 2 (m/k)^(1/2) = 1 */
+        {FALLS("-0.5", "6", "2 of single-contact", "stage s\ncycles 372\n"), LAST},
+        {FALLS("0.5", "6", "1", "stage s\ncycles 9999\n"), NULL},
+        {FALLS("-0.5", "5", "1", "stage s\ncycles 9999\n"), NULL});
+#undef LAST
+#undef FALLS
+}
+
+/* A disc of mass 5 on a spring of k = 20 falls from the height 1 above the contact with g = 0.5, so w = 2 and it hits the
+ * floor with the speed 1. */
+#define FALLS                                                                                                          \
+  "material m density (5/(4*pi)) kn 30\nmaterial f kn 15\nnormal linear\ngravity 0 %s\ndamping ratio %s\n"             \
+  "disc 7 %s radius 2 m\nwall f 9 3 to 5 3 f\nmonitor D disc 1\nmonitor C disc 1 with wall f\nstep 0.001\nstage s\n"   \
+  "cycles 1\n"
+static double fall(const char *g, const char *ratio, const char *y, const char *name, double t) {
+  struct nb_solution solution;
+  struct nb_error error;
+  char page[1024];
+  snprintf(page, sizeof page, FALLS, g, ratio, y);
+  CU_ASSERT_EQUAL(refs_solve(&solution, "free_fall", page, &error), NB_OK);
+  const struct nb_solution_curve *curve = solution_find_curve(&solution, name, "time");
+  const double *value = solution_find(&solution, name);
+  const double found = curve ? curve->at(curve->data, t) : value ? *value : NAN;
+  solution_free(&solution);
+  return found;
+}
+static void free_fall(void) {
+  const double w = 2, g = 0.5, sag = g / (w * w), touch = 2, v = 1, lasts = 2 / w * (pi - atan(v * w / g));
+  NEAR(fall("-0.5", "0", "6", "D.y", 1), 5.75, 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.vy", 1), -0.5, 1e-12);
+  NEAR(fall("-0.5", "0", "6", "C.overlap max", 0), sag + hypot(sag, v / w), 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.y", touch + lasts / 2), 5 - sag - hypot(sag, v / w), 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.vy", touch + lasts), v, 1e-9);
+  NEAR(fall("-0.5", "0", "6", "D.y", 2 * touch + lasts), 6., 1e-12);
+  NEAR(fall("-0.5", "0", "6", "D.y", 5 * (2 * touch + lasts) + 1), 5.75, 1e-12); /* after five bounces */
+  NEAR(fall("0.5", "0", "6", "D.y", 4), 10., 1e-12);                             /* upward */
+  CU_ASSERT(isnan(fall("0.5", "0", "6", "C.overlap max", 0)));
+  NEAR(fall("-0.5", "0", "5", "D.y", pi / w), 5 - 2 * sag, 1e-12); /* it just touches, and does not separate */
+  NEAR(fall("-0.5", "0", "5", "D.y", 2.5 * pi / w), 5 - sag, 1e-12);
+  NEAR(fall("-0.5", "0.9", "5.001", "D.y", 99), 5 - sag, 1e-12);
+  /* With a dashpot of a fifth of the critical damping: the contact by the midpoint rule, from u = 0 with the speed -1. */
+  double u = 0, s = -v, low = 0, t = 0;
+  const double dt = 1e-5, c = 2 * 0.2 * w;
+  while (u <= 0 && t < 9) {
+    const double um = u + dt / 2 * s, sm = s + dt / 2 * (-g - w * w * u - c * s);
+    u += dt * sm, s += dt * (-g - w * w * um - c * sm), t += dt;
+    low = fmin(low, u);
+    if (fabs(t - 0.4) < dt / 2)
+      NEAR(fall("-0.5", "0.2", "6", "D.y", touch + t), 5 + u, 1e-9);
+  }
+  NEAR(fall("-0.5", "0.2", "6", "C.overlap max", 0), -low, 1e-8);
+  NEAR(fall("-0.5", "0.2", "6", "D.vy", touch + t + 0.01), s - g * 0.01, 1e-4);
+  NEAR(fall("-0.5", "0.2", "6", "D.vy", touch + t - 0.01), s + (g + c * s) * 0.01, 1e-3);
+#define KIND "a particle dropped straight down, from rest, above the wall"
+#define ON_FLOOR(gx, y, ratio, wall)                                                                                   \
+  "material m density 1 kn 20\nnormal linear\ngravity " gx " -0.5\ndamping ratio " ratio "\ndisc 7 " y                 \
+  " radius 2 m\nwall f " wall " m\nstep 0.001\nstage s\ncycles 1\n"
+  PARTS("free_fall", "@", {ON_FLOOR("0", "5", "0.5", "9 3 to 5 3"), NULL},
+        {ON_FLOOR("0", "4.999", "0.5", "9 3 to 5 3"), KIND}, {ON_FLOOR("0.1", "6", "0.5", "9 3 to 5 3"), KIND},
+        {ON_FLOOR("-0.1", "6", "0.5", "9 3 to 5 3"), KIND},
+        {ON_FLOOR("0", "6", "1.001", "9 3 to 5 3"), "less than critical damping"},
+        {ON_FLOOR("0", "6", "0.999", "9 3 to 5 3"), NULL},
+        {ON_FLOOR("0", "6", "0.5", "6.99 3 to -9 3"), "a wall along x, below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "7.01 3 to -9 3"), NULL},
+        {ON_FLOOR("0", "6", "0.5", "7.01 3 to 20 3"), "a wall along x, below the particle"},
+        {ON_FLOOR("0", "6", "0.5", "6.99 3 to 20 3"), NULL});
+#undef KIND
+}
+
+/* A disc of mass 5, k_n = 20 and k_s = 8 on a floor, of weight 2 with g = 0.4, which slides with mu = 0.5 from u0 = 1.
+ * The shear spring has (1 + q) k_s/m = 4.8 and the deflection d_m = 1/8 while the disc slides. The single-contact step is
+ * that of two such discs, k_n = 30. */
+#define SLIDES_ON(extra, friction, y, wall, stages)                                                                    \
+  "material m density (5/(4*pi)) kn 30 ks 12 friction 9\nmaterial f kn 15 ks 6 friction " friction "\n" extra          \
+  "normal linear\nshear linear\ngravity 0 -0.4\ndisc 7 " y " radius 2 m velocity 1 0\nwall f " wall " f\n"             \
+  "monitor D disc 1\nmonitor C disc 1 with wall f\nstage s\nuntil C.sliding below 0.5 at most 900 "                    \
+  "cycles\n" stages
+static void slide_to_roll(void) {
+  const double m = 5, ks = 8, limit = 1. / 8, brake = 0.6, critical = 2 * sqrt(m / 30);
+  const struct {
+    const char *damping;
+    double c; /* of the shear dashpot */
+  } rows[] = {{"", 0},
+              {"damping ratio 0.2\n", 0.2 * 2 * sqrt(m * ks)},
+              {"damping stiffness 0.3\n", 0.3 * ks},
+              {"damping r89-fraction 0.7\n", 0.7 * ks * critical / 2},
+              {"damping ratio 0.2\ndamping walls stiffness 0.1\n", 0.1 * ks}};
+  char page[1024];
+  double far = 0;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const double b = 3 * rows[k].c / (2 * m), w = sqrt(4.8 - b * b);
+    double low = 0, high = atan2(w, b) / w;
+    for (int n = 0; n < 100; n++)
+      *(exp(-b * (low + high) / 2) * sin(w * (low + high) / 2) / w < limit ? &low : &high) = (low + high) / 2;
+    const double slip = exp(-b * low) * (cos(w * low) - b / w * sin(w * low)), slide = low + slip / brake;
+    const double end = limit + slip * slip / (2 * brake), stick = exp(-b * 0.05) * sin(w * 0.05) / w;
+    const double back = limit * (exp(-b) * (cos(w) + b / w * sin(w)) - 1); /* in one second of rolling */
+    const double rate = -limit * exp(-b) * (w + b * b / w) * sin(w), t = slide + 1;
+    snprintf(page, sizeof page, SLIDES_ON("step 0.01\n%s", "0.5", "4.9", "99 3 to -9 3", "stage t\ncycles 90\n"),
+             rows[k].damping);
+    VALUES("slide_to_roll", page, 1, {"D.x", 7 + (stick + 0.1) / 3, "time", 0.05},
+           {"D.vx", (exp(-b * 0.05) * (cos(w * 0.05) - b / w * sin(w * 0.05)) + 2) / 3, "time", 0.05},
+           {"D.vx", (slip - brake * 0.5 + 2) / 3, "time", low + 0.5},
+           {"D.spin", -(1 - (slip - brake * 0.5 + 2) / 3), "time", low + 0.5},
+           {"D.x", 7 + (limit + slip * 0.5 - brake * 0.125 + 2 * (low + 0.5)) / 3, "time", low + 0.5},
+           {"D.x", 7 + (end + back + 2 * t) / 3, "time", t}, {"D.vx", (rate + 2) / 3, "time", t},
+           {"D.spin", -(1 - (rate + 2) / 3), "time", t}, {"time in s", slide}, {"D.x in s", 7 + (end + 2 * slide) / 3},
+           {"D.vx in t", 2. / 3});
+    if (k == 0)
+      far = 7 + (end + limit * (cos(0.9 * w) - 1) + 2 * (slide + 0.9)) / 3;
+  }
+#define LONG "a floor so long that the particle does not reach its end"
+#define FORCE(n)                                                                                                       \
+  "a particle that moves along the floor without spin, with an initial normal force equal to its weight of 2 N; the "  \
+  "force is " n " N"
+#define SLOW "a particle that slides, with less than critical damping"
+  for (int k = 0; k < 8; k++) {
+    snprintf(page, sizeof page, SLIDES_ON("step %s\n", "0.5", "4.9", "%.9g 3 to %.9g 3", "stage t\ncycles 90\n"),
+             k < 4 ? "0.01" : "(0.01/(2*sqrt(5/30))) of single-contact", k % 4 < 2 ? -9 : far + (k % 2 ? -1e-6 : 1e-6),
+             k % 4 < 2 ? far + (k % 2 ? -1e-6 : 1e-6) : -9);
+    check_message("slide_to_roll", page, k % 2 ? LONG : NULL);
+  }
+  PARTS("slide_to_roll", SLIDES_ON("step 0.01\n", "0.5", "@", "-9 3 to 99 3", ""), {"(5 - 0.1*(1 - 0.9e-4))", NULL},
+        {"(5 - 0.1*(1 + 0.9e-4))", NULL}, {"(5 - 0.1*1.1)", FORCE("2.2")}, {"(5 - 0.1*0.9)", FORCE("1.8")},
+        {"(5 - 0.1*(1 + 1.1e-4))", FORCE("2.00022")}, {"(5 - 0.1*(1 - 1.1e-4))", FORCE("1.99978")});
+  PARTS("slide_to_roll", SLIDES_ON("step 0.01\n@", "0.5", "4.9", "-9 3 to 99 3", ""), {"damping ratio 0.577\n", NULL},
+        {"damping ratio 0.578\n", SLOW});
+  PARTS("slide_to_roll", SLIDES_ON("step 0.01\n", "@", "4.9", "-9 3 to 99 3", ""), {"1.825", NULL}, {"1.826", SLOW});
+  PARTS("slide_to_roll", SLIDES_ON("step 0.01\n", "0.5", "4.9", "@", ""), {"6.99 3 to 99 3", NULL},
+        {"7.01 3 to 99 3", "a wall along x, below the particle"},
+        {"-9 3 to 99 3.1", "a wall along x, below the particle"},
+        {"-9 3 to 99 2.9", "a wall along x, below the particle"},
+        {"-9 4.9 to 99 4.9", "a wall along x, below the particle"});
+#undef LONG
+#undef FORCE
+#undef SLOW
+}
+
+/* A rigid disc of mass 5 and I = 10 with g = 0.4. It moves at v = 3, w = -0.5 on a floor with mu = 0.25, later 0.5. */
+#define ROTATES(wall, stages)                                                                                          \
+  "material m density (5/(4*pi)) kn 30 ks 12 friction 0.25\nmaterial f kn 15 ks 6 friction 0.8\nnormal linear\n"       \
+  "shear linear\ngravity 0 -0.4\ndisc 7 4.9 radius 2 m velocity 3 0 spin -0.5\nwall f " wall " f\nmonitor D disc 1\n"  \
+  "monitor C disc 1 with wall f\nstep 0.1\nstage a\ncycles 10\nstage b\nrotation off\ncycles 10\n" stages
+#define RESUMES                                                                                                        \
+  "stage c\nrotation on\npair m f friction 0.5\nuntil C.sliding below 0.5 at most 90 cycles\nstage d\ncycles 20\n"     \
+  "stage e\nrotation off\nuntil C.sliding below 0.5 at most 900 cycles\nstage f\ncycles 5\n"
+static void rotation_off(void) {
+  const double roll = 2.8 / (3 * 0.2), v = 2.8 - 0.2 * roll, stop = v / 0.2, first = 5 * 0.6 * 0.6;
+  const double second = first + 5 * v * v / 4, far = 7 + 2.95 + 2.85 + (2.8 + v) / 2 * roll + 2 * v + v / 2 * stop;
+  VALUES("rotation_off", ROTATES("-9 3 to 99 3", RESUMES), 1, {"D.vx in a", 2.9}, {"D.spin in a", -0.6},
+         {"energy.changed in a", 0}, {"D.vx in b", 2.8}, {"D.spin in b", 0}, {"energy.changed in b", -first},
+         {"D.vx in c", v}, {"D.spin in c", -v / 2}, {"energy.changed in c", -first}, {"time in c", 2 + roll},
+         {"D.vx in d", v}, {"D.spin in d", -v / 2}, {"energy.changed in d", -first}, {"D.vx in e", 0},
+         {"D.spin in e", 0}, {"energy.changed in e", -second}, {"time in e", 4 + roll + stop}, {"D.vx in f", 0},
+         {"D.spin in f", 0}, {"energy.changed in f", -second});
+#define LEVEL "one particle that moves in +x on a level floor, under gravity"
+#define LONG "a floor so long that the particle does not reach its end"
+  char page[1024];
+  for (int k = 0; k < 4; k++) {
+    snprintf(page, sizeof page, ROTATES("%.9g 3 to %.9g 3", RESUMES), k < 2 ? -9 : far + (k == 2 ? 1e-6 : -1e-6),
+             k < 2 ? far + (k == 0 ? 1e-6 : -1e-6) : -9);
+    check_message("rotation_off", page, k % 2 ? LONG : NULL);
+  }
+  PARTS("rotation_off", ROTATES("@", ""), {"6.99 3 to 99 3", NULL}, {"7.01 3 to 99 3", LEVEL}, {"99 3 to 6.99 3", NULL},
+        {"99 3 to 7.01 3", LEVEL}, {"9.94 3 to -9 3", LONG}, {"9.96 3 to -9 3", LONG}, {"-9 5 to 99 5", LEVEL});
+#undef LEVEL
+#undef LONG
+}
+
+/* A disc of mass 5 and R = 2 in a right angle at (2, 1), with the unit normals n_1 = (0.6, 0.8) and n_2 = (-0.8, 0.6) and
+ * the stiffnesses 30 and 120/13. The forces are -m g n_i, and c = P + (R - N_1/k_1) n_1 + (R - N_2/k_2) n_2. */
+#define NESTS(gravity, one, two, stages)                                                                               \
+  "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\ngravity " gravity            \
+  "\ndisc 2 4 radius 2 m\nwall a " one " a\nwall b " two " b\nmonitor D disc 1\nmonitor A disc 1 with wall a\n"        \
+  "monitor B disc 1 with wall b\nstep 0.01\n" stages
+static void wedge(void) {
+  const double k1 = 30, k2 = 120. / 13, n1 = -5 * (0.6 * 0.1 - 0.8), n2 = -5 * (-0.8 * 0.1 - 0.6);
+  const double d1 = 2 - n1 / k1, d2 = 2 - n2 / k2;
+#define REST                                                                                                           \
+  {"A.normal in s", n1}, {"A.overlap in s", n1 / k1}, {"B.normal in s", n2}, {"B.overlap in s", n2 / k2},              \
+      {"D.x in s", 2 + d1 * 0.6 - d2 * 0.8}, {"D.y in s", 1 + d1 * 0.8 + d2 * 0.6},                                    \
+      {"step.stable in s", 2 * sqrt(5 / (k1 + k2))}
+#define ON "a particle that rests on the faces of both walls"
+  VALUES("wedge", NESTS("0.1 -1", "2 1 to -6 7", "2 1 to 8 9", "stage s\ncycles 1\nstage t\ngravity 1 -3\ncycles 1\n"),
+         1, REST);
+  VALUES("wedge", NESTS("0 -9", "-6 7 to 2 1", "8 9 to 2 1", "stage s\ngravity 0.1 -1\ncycles 1\n"), 1, REST);
+  char page[1024];
+  for (int wall = 0; wall < 2; wall++)
+    for (int end = 0; end < 2; end++)
+      for (int more = -1; more < 2; more += 2) { /* the foot is d2 from P on wall 1, and d1 on wall 2 */
+        const double foot = wall ? d1 : d2, low = end ? 0 : foot + 1e-6 * more, high = end ? foot + 1e-6 * more : 9;
+        const double of[2][2] = {{wall ? 0 : low, wall ? 9 : high}, {wall ? low : 0, wall ? high : 9}};
+        snprintf(page, sizeof page,
+                 NESTS("0.1 -1", "%.17g %.17g to %.17g %.17g", "%.17g %.17g to %.17g %.17g", "stage s\ncycles 1\n"),
+                 2 - 0.8 * of[0][0], 1 + 0.6 * of[0][0], 2 - 0.8 * of[0][1], 1 + 0.6 * of[0][1], 2 + 0.6 * of[1][0],
+                 1 + 0.8 * of[1][0], 2 + 0.6 * of[1][1], 1 + 0.8 * of[1][1]);
+        check_message("wedge", page, (more > 0) == end ? NULL : ON);
+      }
+  PARTS("wedge", NESTS("@", "2 1 to -6 7", "2 1 to 8 9", "stage s\ncycles 1\n"), {"-0.74 -1", NULL}, {"-0.76 -1", ON},
+        {"1.33 -1", NULL}, {"1.34 -1", ON}, {"0 1", ON});
+#undef REST
+#undef ON
+}
+
+/* A sphere strikes a wall at the angle 30 or 80 degrees with mu = 0.1 and q = 5/2. E* = 1/(0.84/7 + 0.9375/5) and
+ * G* = 1/(1.6/(7/2.8) + 1.75/(5/2.5)) for the materials of sphere and wall. */
+#define STRIKES(wall, angle)                                                                                           \
+  "material g density 3 young 7 poisson 0.4 friction 0.1\nmaterial w young 5 poisson 0.25 friction 0.6\nnormal "       \
+  "hertz\n"                                                                                                            \
+  "shear mindlin_deresiewicz\nsphere 1 5 radius 2 g\nwall f " wall                                                     \
+  " w\nmonitor C sphere 1 with wall f\nimpact C speed "                                                                \
+  "0.01 angle " angle "\nstep 100 per collision\nstage s\nuntil impact.time above 1.1 at most 999 cycles\n"
+static void rigid_impact(void) {
+  const double mu = 0.1, young = 1 / (0.84 / 7 + 0.9375 / 5), shear = 1 / (1.6 / 2.5 + 1.75 / 2);
+  const double kappa = young / (4 * shear), slides = atan(2 * mu * 3.5) * 180 / pi;
+  static const char *const walls[] = {"-99 2 to 99 2", "99 2 to -99 2", "-1 99 to -1 -99",
+                                      "(1 - 40) (5 + 20) to (1 + 30) (5 - 32)"};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++)
+    for (int sticks = 0; sticks < 2; sticks++) {
+      char page[1024];
+      const double degrees = slides + (sticks ? -5 : 5), angle = degrees * pi / 180;
+      snprintf(page, sizeof page, STRIKES("%s", "(%.17g*pi/180)"), walls[k], degrees);
+      const double slid = sqrt(1 - 2 * mu * sin(2 * angle) + 2 * mu * mu * (1 + cos(2 * angle)));
+      VALUES("rigid_impact", page, 0, {"impact.psi2", sticks ? 0 : (tan(angle) - 2 * mu * 3.5) / (mu * kappa)},
+             {"impact.restitution", sticks ? hypot(cos(angle), 5. / 7 * sin(angle)) : slid});
+    }
+}
+
+/* A spinning sphere slides throughout its impact on a wall that rises along (0.8, 0.6), at psi1 = 4.5 chi: J_t = mu J_n, so
+ * V_T decreases by 7/2 mu (1 + e) V_N. Its mass is 4 pi/3 R^3 rho, and I = 2/5 m R^2. The wall has no spin. */
+#define REBOUNDS(angle)                                                                                                \
+  "material a density 3 kn 8 ks 4 friction 0.1\nmaterial b kn 12 ks 9 friction 0.3\nnormal linear\nshear linear\n"     \
+  "damping ratio 0.2\nsphere (7 - 0.6*5) (1 + 0.8*5) radius 2 a spin 0.05\nwall w (7 - 8) (1 - 6) to (7 + 8) (1 + 6) " \
+  "b\n"                                                                                                                \
+  "monitor D sphere 1\nmonitor C sphere 1 with wall w\nimpact C speed 0.3 angle " angle "\nstep 100 per collision\n"   \
+  "stage s\nuntil impact.time above 1.1 at most 999 cycles\n"
+static void rebound(void) {
+  const double mu = 0.1, e = exp(-pi * 0.2 / sqrt(1 - 0.04)), mass = 4 * pi / 3 * 8 * 3, inertia = 0.4 * mass * 4;
+  const double kappa = (1 / (1. / 16 + 1. / 24)) / (1 / (1. / 8 + 1. / 18)), chi = 3.5 / (2 * kappa);
+  /* V_T = 0.3 sin(A) + R w is 1.125 7 mu V_N, and V_N = 0.3 cos(A) */
+  double low = 0, high = pi / 2;
+  for (int n = 0; n < 100; n++) {
+    const double middle = (low + high) / 2;
+    *(0.3 * sin(middle) + 2 * 0.05 < 1.125 * 7 * mu * 0.3 * cos(middle) ? &low : &high) = middle;
+  }
+  const double vt = 0.3 * sin(low), vn = 0.3 * cos(low), jt = mu * (1 + e) * vn; /* J_t/m */
+  const double along = vt - jt, away = e * vn, spin = 0.05 - 2 * jt * mass / inertia;
+  char page[1024];
+  snprintf(page, sizeof page, REBOUNDS("%.17g"), low);
+  VALUES("rebound", page, 1, {"D.vx", 0.8 * along - 0.6 * away}, {"D.vy", 0.6 * along + 0.8 * away}, {"D.spin", spin},
+         {"impact.psi1", 4.5 * chi}, {"impact.psi2", 4.5 * chi - 2 * chi * (1 + e)},
+         {"impact.restitution", hypot(along, away) / 0.3},
+         {"energy.kinetic", (mass * (along * along + away * away) + inertia * spin * spin) / 2},
+         {"energy.kinetic max", (mass * 0.09 + inertia * 0.0025) / 2});
+}
+
+/* Three stages before the reversal, one of them at rest, and two after it. */
+#define REVERSED(first, more)                                                                                          \
+  "material m density 2 kn 9\nnormal linear\ngravity 0.1 -0.2\ndisc 3 -4 radius 1 m velocity 2 -3 spin 5\n"            \
+  "sphere -7 8 radius 2 m velocity -1 6 spin -9\nwall w -9 0 to 9 0.1 m\nmonitor D disc 1\nmonitor E sphere 2\n"       \
+  "monitor W wall w\nstep 0.1\nstage a\n" first more
+static void time_reversal(void) {
+  VALUES("time_reversal",
+         REVERSED("wall w velocity 1 2\n",
+                  "cycles 3\nstage b\ncycles 4\nstage c\nreverse velocities\ncycles 5\nstage d\n"
+                  "cycles 2\n"),
+         0, {"D.x", 3}, {"D.y", -4}, {"D.angle", 0}, {"D.vx", -2}, {"D.vy", 3}, {"D.spin", -5}, {"E.x", -7}, {"E.y", 8},
+         {"E.angle", 0}, {"E.vx", 1}, {"E.vy", -6}, {"E.spin", 9});
+#define ONCE                                                                                                           \
+  "one `reverse velocities`, as many cycles before it as after it, and walls whose motion is set only in the first "   \
+  "stage"
+  PARTS("time_reversal", REVERSED("cycles 3\n", "@"), {"stage b\nreverse velocities\ncycles 3\n", NULL},
+        {"stage b\nreverse velocities\ncycles 2\n", ONCE}, {"stage b\nreverse velocities\ncycles 4\n", ONCE},
+        {"stage b\nreverse velocities\nwall w velocity 0 1\ncycles 3\n", ONCE},
+        {"stage b\nreverse velocities\ncycles 2\nstage c\nwall w velocity 0 1\ncycles 1\n", ONCE},
+        {"stage b\nreverse velocities\ncycles 1\nstage c\nreverse velocities\ncycles 2\n", ONCE});
+#undef ONCE
+}
+
+/* A disc of mass 5 and k_n = 20 hits an end of a wall head-on: it returns with the opposite relative velocity after an
+ * overlap of v (m/k)^(1/2). The wall from P = (3, 4) along (0.6, 0.8) moves; its ends are at P and at 10 from it. */
+#define HITS(x, y, vx, vy)                                                                                             \
+  "material m density (5/(4*pi)) kn 20\nnormal linear\ndisc (3 + 0.6*(" x ") - 0.8*(" y ")) (4 + 0.8*(" x              \
+  ") + 0.6*(" y ")) radius 2 m velocity (0.01 + 0.6*(" vx ") - 0.8*(" vy ")) (-0.02 + 0.8*(" vx ") + 0.6*(" vy         \
+  "))\nwall w 3 4 to 9 12 m about 3 4 velocity 0.01 -0.02\nmonitor D disc 1\nmonitor C disc 1 with wall w\nmonitor W " \
+  "wall w\n"                                                                                                           \
+  "step 0.1\nstage s\ncycles 1\n"
+static void wall_end(void) {
+  for (int end = 0; end < 2; end++) {
+    const double v = end ? -0.3 : 0.3, vx = 0.01 - 0.6 * v, vy = -0.02 - 0.8 * v;
+    const double before = pow(0.01 + 0.6 * v, 2) + pow(-0.02 + 0.8 * v, 2);
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    CU_ASSERT_EQUAL(
+        refs_solve(&solution, "wall_end", end ? HITS("13", "0", "-0.3", "0") : HITS("-4", "0", "0.3", "0"), &error),
+        NB_OK);
+    const struct expected expected[] = {
+        {"D.vx", vx}, {"D.vy", vy}, {"C.overlap max", 0.15}, {"energy.walls", 2.5 * (vx * vx + vy * vy - before)}};
+    CU_ASSERT_EQUAL(solution.value_count, 4);
+    for (int k = 0; k < 4; k++) {
+      const double *value = solution_find(&solution, expected[k].name);
+      CU_ASSERT(value && fabs(*value - expected[k].value) <= 1e-9 * fabs(expected[k].value));
+    }
+    solution_free(&solution);
+  }
+#define TOWARD "a particle that moves toward the end of the wall"
+#define BESIDE "a particle that touches the end only, not the wall beside it"
+  static const struct part parts[] = {
+      {HITS("13", "1.99", "-0.01", "0"), NULL},   {HITS("13", "2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "-1.99", "-0.01", "0"), NULL},  {HITS("13", "-2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "0", "0.01", "0"), TOWARD},     {HITS("12.01", "0", "-0.01", "0"), NULL},
+      {HITS("11.99", "0", "-0.01", "0"), TOWARD}, {HITS("-2.01", "0", "0.01", "0"), NULL},
+      {HITS("-1.99", "0", "0.01", "0"), TOWARD},  {HITS("10.01", "4", "0", "-0.001"), NULL},
+      {HITS("9.99", "4", "0", "-0.001"), BESIDE}, {HITS("-0.01", "-4", "0", "0.001"), NULL},
+      {HITS("0.01", "-4", "0", "0.001"), BESIDE}, {HITS("10.1", "2.5", "0", "-2"), NULL},
+      {HITS("10.5", "4", "-1", "-4"), BESIDE},    {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
+      {HITS("9.5", "4", "0.01", "-0.02"), NULL},  {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL}};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    check_message("wall_end", parts[k].text, parts[k].message);
+#undef TOWARD
+#undef BESIDE
 }
 
 void suite_refs_motion(void) {
@@ -230,4 +563,13 @@ void suite_refs_motion(void) {
   CU_ADD_TEST(suite, one_contact_values);
   CU_ADD_TEST(suite, incline);
   CU_ADD_TEST(suite, many_bounces);
+  CU_ADD_TEST(suite, last_contact);
+  CU_ADD_TEST(suite, free_fall);
+  CU_ADD_TEST(suite, slide_to_roll);
+  CU_ADD_TEST(suite, rotation_off);
+  CU_ADD_TEST(suite, wedge);
+  CU_ADD_TEST(suite, rigid_impact);
+  CU_ADD_TEST(suite, rebound);
+  CU_ADD_TEST(suite, time_reversal);
+  CU_ADD_TEST(suite, wall_end);
 }

@@ -3,13 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
-#include <CUnit/CUnit.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "refs_scenes.h"
-#include "written.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -21,126 +15,31 @@ struct expected {
   double x;
 };
 
-/* An array with one more element, so that a loop over one element too many reads this element. */
-static inline void *one_more(const void *array, size_t count, size_t size, const void *more) {
-  char *longer = malloc((count + 1) * size);
-  CU_ASSERT_PTR_NOT_NULL_FATAL(longer);
-  if (count)
-    memcpy(longer, array, count * size);
-  memcpy(longer + count * size, more, size);
-  return longer;
-}
-
-/* The scene that `solve` has solved. Curves refer to it, so it is kept until the next one is solved. */
-static struct {
-  struct written it;
-  struct nb_scene scene;
-} solved;
-
-static inline void release(void) {
-  if (!solved.scene.particles)
-    return;
-  free(solved.scene.particles), free(solved.scene.walls), free(solved.scene.stages), free(solved.scene.monitors);
-  solved.scene.particles = NULL;
-  written_free(&solved.it);
-}
-
-/* Solves the scene of a page without units, or of a contact test that begins with the line `path`, after an element has
- * been added behind the ends of its arrays. */
-static inline enum nb_status solve(struct nb_solution *solution, const char *reference, const char *text,
-                                   struct nb_error *error) {
-  struct words page = {0};
-  release();
-  const bool contact_test = strncmp(text, "path\n", 5) == 0;
-  words_add(&page, "%sunits none\n%s", contact_test ? "path\n" : "", text + (contact_test ? 5 : 0));
-  written_scene(&solved.it, &page);
-  struct nb_scene *const scene = &solved.scene;
-  *scene = solved.it.scene;
-  const struct nb_particle particle = {.x = NAN, .y = NAN, .radius = 1e9, .shape = scene->particles[0].shape};
-  const struct nb_wall wall = {.x = NAN, .y = NAN, .ex = NAN};
-  struct nb_stage stage = scene->stages[scene->stage_count - 1];
-  struct nb_monitor monitor = {0};
-  if (scene->monitor_count)
-    monitor = scene->monitors[0];
-  strcpy(stage.name, "beyond"), strcpy(monitor.name, "beyond");
-  scene->particles = one_more(scene->particles, scene->particle_count, sizeof particle, &particle);
-  scene->walls = one_more(scene->walls, scene->wall_count, sizeof wall, &wall);
-  scene->stages = one_more(scene->stages, scene->stage_count, sizeof stage, &stage);
-  scene->monitors = one_more(scene->monitors, scene->monitor_count, sizeof monitor, &monitor);
-  *solution = (struct nb_solution){0};
-  return nb_reference_solve(nb_reference_find(reference), solution, scene, error);
-}
+/* Solves the scene of a page without units, or of a contact test that begins with the line `path`. The scene is kept until
+ * the next one is solved, because curves refer to it. */
+enum nb_status refs_solve(struct nb_solution *solution, const char *reference, const char *text,
+                          struct nb_error *error);
+/* Frees the last scene, at the end of a suite. */
+int released(void);
 
 /* The solution has the expected values, and no other ones. `scale`: a value of 0 may differ by 1e-12 of it. */
-static inline void check(const char *reference, const char *page, double scale, const struct expected *expected,
-                         size_t count) {
-  struct nb_solution solution;
-  struct nb_error error = {0};
-  size_t named = 0;
-  if (solve(&solution, reference, page, &error) != NB_OK)
-    printf("# %s: %s\n", reference, error.text);
-  for (size_t k = 0; k < count; k++) {
-    const struct expected *it = &expected[k];
-    const double *value = it->along ? NULL : solution_find(&solution, it->name);
-    const struct nb_solution_curve *curve = it->along ? solution_find_curve(&solution, it->name, it->along) : NULL;
-    const double found = value ? *value : curve ? curve->at(curve->data, it->x) : NAN;
-    const bool right = fabs(found - it->value) <= 1e-12 * fmax(fabs(it->value), scale);
-    if (!right)
-      printf("# %s: %s at %g is %.17g, expected %.17g\n", reference, it->name, it->x, found, it->value);
-    CU_ASSERT(right);
-    size_t same = 0; /* the first row of this name */
-    while (strcmp(expected[same].name, it->name) != 0 || !expected[same].along != !it->along ||
-           (it->along && strcmp(expected[same].along, it->along) != 0))
-      same++;
-    named += same == k;
-  }
-  if (named != solution.value_count + solution.curve_count)
-    printf("# %s: %zu values and %zu curves\n", reference, solution.value_count, solution.curve_count);
-  CU_ASSERT_EQUAL(named, solution.value_count + solution.curve_count);
-  solution_free(&solution);
-}
+void refs_check(const char *reference, const char *page, double scale, const struct expected *expected, size_t count);
 #define VALUES(reference, page, scale, ...)                                                                            \
   do {                                                                                                                 \
     const struct expected expected[] = {__VA_ARGS__};                                                                  \
-    check(reference, page, scale, expected, sizeof expected / sizeof *expected);                                       \
+    refs_check(reference, page, scale, expected, sizeof expected / sizeof *expected);                                  \
   } while (0)
 
 /* The reference accepts the scene if `message` is NULL, or refuses it with this message, after its name. */
-static inline void check_message(const char *reference, const char *page, const char *message) {
-  struct nb_solution solution;
-  struct nb_error error = {0};
-  char text[512] = "";
-  const enum nb_status status = solve(&solution, reference, page, &error);
-  if (message)
-    snprintf(text, sizeof text, "the reference `%s` is for %s", reference, message);
-  const bool right = status == (message ? NB_BAD_USE : NB_OK) && (!message || strcmp(error.text, text) == 0);
-  if (!right)
-    printf("# %s, status %d\n# found:    %s\n# expected: %s\n# page: %s\n", reference, status, error.text, text, page);
-  CU_ASSERT(right);
-  solution_free(&solution);
-}
+void check_message(const char *reference, const char *page, const char *message);
 
-/* Pages made of a text with %s for the part that changes. */
+/* The page with each text in place of `@`. */
 struct part {
   const char *text, *message;
 };
-static inline void check_parts(const char *reference, const char *page, const struct part *parts, size_t count) {
-  for (size_t k = 0; k < count; k++) {
-    char text[4096];
-    const char *const at = strchr(page, '@');
-    snprintf(text, sizeof text, "%.*s%s%s", (int)(at - page), page, parts[k].text, at + 1);
-    check_message(reference, text, parts[k].message);
-  }
-}
-/* The page with each text in place of `@`. */
+void refs_check_parts(const char *reference, const char *page, const struct part *parts, size_t count);
 #define PARTS(reference, page, ...)                                                                                    \
   do {                                                                                                                 \
     static const struct part parts[] = {__VA_ARGS__};                                                                  \
-    check_parts(reference, page, parts, sizeof parts / sizeof *parts);                                                 \
+    refs_check_parts(reference, page, parts, sizeof parts / sizeof *parts);                                            \
   } while (0)
-
-/* The end of a suite. */
-static inline int released(void) {
-  release();
-  return 0;
-}

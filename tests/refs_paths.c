@@ -1,0 +1,205 @@
+/* References of contact tests (path_no_slip, path_springs, path_randall), compared with closed forms.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "refs_scenes.h"
+#include "refs_tables.h"
+#include "suites.h"
+
+/* A contact of two spheres with R* = 1.2, mu = 0.8 and k_s = 15. */
+#define TOUCHES(law, path)                                                                                             \
+  "path\nmaterial a young 4 poisson 0.25 ks 30 friction 0.8\nmaterial b young 6 poisson 0.2 ks 10 friction 0.9\n"      \
+  "contact sphere 2 a with sphere 3 b\nnormal hertz\nshear " law                                                       \
+  "\nrecord step overlap slip normal shear work.shear\n"                                                               \
+  "segment p overlap to 0.04 in 2 steps\n" path
+static double hertz(double overlap) { return 4. / 3 / (0.9375 / 4 + 0.96 / 6) * sqrt(1.2) * pow(overlap, 1.5); }
+/* 8 G* sqrt(R*), and mu kappa: the tangential displacement over the overlap at which a contact slides. */
+static double mindlin_stiffness(void) { return 8 / (1.75 / 1.6 + 1.8 / 2.5) * sqrt(1.2); }
+static double mindlin_limit(void) { return 0.8 * (1.75 / 1.6 + 1.8 / 2.5) / (0.9375 / 4 + 0.96 / 6) / 4; }
+
+/* The stiffness is k_s, or 8 G* a. In segment r, alpha and delta change at once; in s the scaled law keeps T/a. */
+static void path_no_slip(void) {
+  static const char *const names[] = {"linear", "mindlin", "mindlin_scaled"};
+  for (int law = 0; law < 3; law++) {
+    char page[1024];
+    const double k = mindlin_stiffness(), q = law ? k * sqrt(0.04) : 15, t = law ? k * sqrt(0.0625) : 15;
+    const double mean = law ? k * 2 / 3 * (pow(0.09, 1.5) - pow(0.04, 1.5)) / 0.05 : 15;
+    const double tq = -0.001 * q, tr = tq + mean * 0.003, ts = law == 2 ? tr * sqrt(0.0625 / 0.09) : tr, tt = -0.004;
+    /* in segment r the force is T + c (alpha^(3/2) - 0.04^(3/2)) */
+    const double c = k * 2 / 3 / 0.05 * 0.003;
+    const double average =
+        law ? tq - c * pow(0.04, 1.5) + c * 0.4 * (pow(0.09, 2.5) - pow(0.04, 2.5)) / 0.05 : (tq + tr) / 2;
+    const double wq = tq * tq / q / 2, wr = wq + average * 0.003, wt = wr + (tt * tt - ts * ts) / t / 2;
+    const double slip = 0.002 + (tt - ts) / t;
+    snprintf(page, sizeof page,
+             TOUCHES("%s", "segment q slip to -0.001 in 4 steps\nsegment r overlap to 0.09 slip by 0.003 in 1 step\n"
+                           "segment s overlap to 0.0625 in 1 step\nsegment t shear to -0.004 hold normal in 2 steps\n"),
+             names[law]);
+    VALUES("path_no_slip", page, 1e3, {"slip in p", 0}, {"shear in p", 0}, {"work.shear in p", 0},
+           {"slip in q", -0.001}, {"shear in q", tq}, {"work.shear in q", wq}, {"slip in r", 0.002}, {"shear in r", tr},
+           {"work.shear in r", wr}, {"slip in s", 0.002}, {"shear in s", ts}, {"work.shear in s", wr},
+           {"slip in t", slip}, {"shear in t", tt}, {"work.shear in t", wt}, {"slip", slip}, {"shear", tt},
+           {"work.shear", wt}, {"slip", -0.00025, "step", 3}, {"shear", tq / 4, "step", 3},
+           {"work.shear", wq / 16, "step", 2.6}, {"work.shear", wq / 16, "step", 3.4},
+           {"shear", (ts + tt) / 2, "step", 9}, {"shear", 0, "step", 0});
+    /* the limit is mu N, also for T < 0 */
+    const double largest = 0.8 * hertz(0.04) / (law ? k * sqrt(0.04) : 15);
+    for (int over = 0; over < 2; over++)
+      for (int sign = -1; sign < 2; sign += 2) {
+        snprintf(page, sizeof page, TOUCHES("%s", "segment q slip to %.17g in 3 steps\n"), names[law],
+                 sign * largest * (over ? 1.0001 : 0.9999));
+        check_message("path_no_slip", page, over ? "a path without sliding" : NULL);
+      }
+  }
+}
+
+/* Integral of 1 - (1 - x/L)^(3/2) from 0 to x. */
+static double mindlin_work(double x, double length) { return x - 0.4 * length * (1 - pow(1 - x / length, 2.5)); }
+static double mindlin_force(double x, double length) { return 1 - pow(1 - x / length, 1.5); }
+
+/* Loading, unloading and reloading at constant N in Mindlin and Deresiewicz's closed form, and gross sliding. In loading
+ * a part of the contact at the distance y from the middle slips against l = mu kappa (alpha - y^2/R*) and dissipates
+ * 4 G* l (delta - l) dy. */
+static void path_springs(void) {
+  const double n = 0.8 * hertz(0.04), length = mindlin_limit() * 0.04, d = 0.6 * length, back = 0.9 * length;
+  const double tq = n * mindlin_force(d, length), wq = n * mindlin_work(d, length);
+  const double tr = tq - 2 * n * mindlin_force(back, 2 * length);
+  const double wr = wq - tq * back + 2 * n * mindlin_work(back, 2 * length);
+  double lost = 0;
+  for (int k = 0; k < 20000; k++) {
+    const double y = sqrt(1.2 * 0.04) * (k + 0.5) / 20000, l = mindlin_limit() * (0.04 - y * y / 1.2);
+    lost += l < d ? 2 * mindlin_stiffness() / sqrt(1.2) / 2 * l * (d - l) * sqrt(1.2 * 0.04) / 20000 : 0;
+  }
+  char page[1024];
+  snprintf(page, sizeof page,
+           TOUCHES("mindlin_deresiewicz",
+                   "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 5 steps\n"
+                   "segment s shear to %.17g hold normal in 5 steps\n"
+                   "segment t slip by %.17g in 5 steps\nsegment u overlap to -0.01 in 3 steps\n"),
+           d, -back, tq, -9 * length);
+#define AT(segment, delta, force, stored, dissipated)                                                                  \
+  {"overlap in " segment, 0.04}, {"slip in " segment, delta}, {"normal in " segment, hertz(0.04)},                     \
+      {"shear in " segment, force}, {"traction.force in " segment, force}, {"stored.shear in " segment, stored},       \
+      {"dissipated in " segment, dissipated}, {                                                                        \
+    "work.shear in " segment, (stored) + (dissipated)                                                                  \
+  }
+  /* unloading from T* dissipates the same as loading by half of it with twice the limits: the loop is that of twice lost */
+  const double end = d - 9 * length;
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(refs_solve(&solution, "path_springs", page, &error), NB_OK);
+  const struct expected expected[] = {AT("p", 0, 0, 0, 0),     AT("q", d, tq, wq - lost, lost),
+                                      {"slip in r", d - back}, {"shear in r", tr},
+                                      {"work.shear in r", wr}, {"slip in s", d},
+                                      {"shear in s", tq},      {"slip in t", end},
+                                      {"shear in t", -n},      {"shear in u", 0},
+                                      {"normal in u", 0},      {"overlap in u", 0},
+                                      {"slip in u", end},      {"stored.shear in u", 0}};
+  for (size_t k = 0; k < sizeof expected / sizeof *expected; k++) {
+    const double *value = solution_find(&solution, expected[k].name);
+    const bool right =
+        value && fabs(*value - expected[k].value) <= 2e-6 * n * (strstr(expected[k].name, "shear") ? 1 : length);
+    if (!right)
+      printf("# %s is %.12g, expected %.12g\n", expected[k].name, value ? *value : NAN, expected[k].value);
+    CU_ASSERT(right);
+  }
+  /* sliding at mu N: work and dissipation increase at the same rate, and the stored energy is that of full deflection */
+  const struct nb_solution_curve *work = solution_find_curve(&solution, "work.shear", "step");
+  const struct nb_solution_curve *dissipated = solution_find_curve(&solution, "dissipated", "step");
+  const double slid = 9 * length / 5 * n;
+  NEAR(work->at(work->data, 22) - work->at(work->data, 21), slid, 1e-6);
+  NEAR(dissipated->at(dissipated->data, 22) - dissipated->at(dissipated->data, 21), slid, 1e-6);
+  solution_free(&solution);
+#undef AT
+}
+
+/* No slip leads to a shear force above mu N, so that segment has no values, and there is no curve. */
+static void forces_above_the_limit(void) {
+  for (int over = 0; over < 2; over++)
+    for (int sign = -1; sign < 2; sign += 2) {
+      struct nb_solution solution;
+      struct nb_error error = {0};
+      char page[1024];
+      snprintf(page, sizeof page, TOUCHES("mindlin_deresiewicz", "segment q shear to %.17g hold normal in 3 steps\n"),
+               sign * (over ? 1.001 : 0.999) * 0.8 * hertz(0.04));
+      CU_ASSERT_EQUAL(refs_solve(&solution, "path_springs", page, &error), NB_OK);
+      CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "shear in p"));
+      CU_ASSERT_EQUAL(solution_find(&solution, "shear in q") != NULL, !over);
+      CU_ASSERT_EQUAL(solution_find(&solution, "shear") != NULL, !over);
+      CU_ASSERT_EQUAL(solution_find_curve(&solution, "shear", "step") != NULL, !over);
+      solution_free(&solution);
+    }
+}
+
+/* [R89 3.95-3.97] at constant N, then a constant T and a deficit while N increases, and N u = N(zeta) while it
+ * decreases. */
+static void path_randall(void) {
+  const double n = 0.8 * hertz(0.04), length = mindlin_limit() * 0.04, u = length / 10;
+  const double tq = n * mindlin_force(5 * u, length), wq = n * mindlin_work(5 * u, length);
+  const double tr = tq - 2 * n * mindlin_force(6 * u, 2 * length);
+  const double wr = wq - tq * 6 * u + 2 * n * mindlin_work(6 * u, 2 * length);
+  const double ts = tr + 2 * n * mindlin_force(3 * u, 2 * length);
+  const double ws = wr + tr * 3 * u + 2 * n * mindlin_work(3 * u, 2 * length);
+  const double tt = tr + 2 * n * mindlin_force(2 * u, 2 * length); /* re-unloading goes back along it */
+  const double wt = wr + tr * 2 * u + 2 * n * mindlin_work(2 * u, 2 * length);
+  const double stiff = mindlin_stiffness() * sqrt(0.05), deficit = mindlin_limit() * 0.01;
+  const double tw = tq + stiff * deficit / 2, ww = wq + (tq + tw) / 2 * deficit / 2;
+  char page[1024];
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 3 steps\n"
+                              "segment s slip by %.17g in 1 step\nsegment t slip by %.17g in 2 steps\n"),
+           5 * u, -6 * u, 3 * u, -u);
+#define AT(segment, delta, force, work)                                                                                \
+  {"slip in " segment, delta}, {"shear in " segment, force}, {"work.shear in " segment, work}
+#define LAST(delta, force, work)                                                                                       \
+  {"slip", delta}, {"shear", force}, {"work.shear", work}, {"slip", delta, "step", 13}, {"shear", force, "step", 13},  \
+  {                                                                                                                    \
+    "work.shear", work, "step", 13                                                                                     \
+  }
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, tr, wr), AT("s", 2 * u, ts, ws),
+         AT("t", u, tt, wt), LAST(u, tt, wt));
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment v overlap to 0.05 in 4 steps\n"
+                              "segment w slip by %.17g in 2 steps\n"),
+           5 * u, deficit / 2);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("v", 5 * u, tq, wq),
+         AT("w", 5 * u + deficit / 2, tw, ww), LAST(5 * u + deficit / 2, tw, ww));
+  const double td = tt - stiff * deficit / 2, wd = wt - (tt + td) / 2 * deficit / 2; /* the same in re-unloading */
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 3 steps\n"
+                              "segment s slip by %.17g in 1 step\nsegment t slip by %.17g in 2 steps\n"
+                              "segment v overlap to 0.05 in 1 step\nsegment w slip by %.17g in 1 step\n"),
+           5 * u, -6 * u, 3 * u, -u, -deficit / 2);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, tr, wr), AT("s", 2 * u, ts, ws),
+         AT("t", u, tt, wt), AT("v", u, tt, wt), AT("w", u - deficit / 2, td, wd), {"slip", u - deficit / 2},
+         {"shear", td}, {"work.shear", wd}, {"slip", u, "step", 14}, {"shear", tt, "step", 14},
+         {"work.shear", wt, "step", 14});
+  /* zeta decreases with alpha in loading, and by half as much in unloading */
+  const double zeta = 0.04 * pow(1 - tq / n, 2. / 3) - 0.005;
+  const double half = 0.04 * pow(1 - (tq - tr) / (2 * n), 2. / 3) - 0.0025;
+  const double m = 0.8 * hertz(0.035), tx = m - 0.8 * hertz(zeta);
+  const double ty = tq - (n - m) - 2 * (m - 0.8 * hertz(half)); /* T* decreases by mu |dN| */
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment x overlap to 0.035 in 6 steps\n"), 5 * u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("x", 5 * u, tx, wq),
+         LAST(5 * u, tx, wq));
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 3 steps\n"
+                              "segment x overlap to 0.035 in 3 steps\n"),
+           5 * u, -6 * u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, tr, wr), AT("x", -u, ty, wr),
+         LAST(-u, ty, wr));
+#undef LAST
+#undef AT
+}
+
+void suite_refs_paths(void) {
+  CU_pSuite suite = CU_add_suite("refs_paths", NULL, released);
+  CU_ADD_TEST(suite, path_no_slip);
+  CU_ADD_TEST(suite, path_springs);
+  CU_ADD_TEST(suite, forces_above_the_limit);
+  CU_ADD_TEST(suite, path_randall);
+}
