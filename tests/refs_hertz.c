@@ -308,8 +308,8 @@ static void make_column(struct refs_scene *it) {
   it->materials[1] = (struct nb_material){.name = "b", .young = INFINITY};
   it->particles[0] = (struct nb_particle){.shape = NB_SPHERE, .radius = 1, .y = 1};
   it->particles[1] = (struct nb_particle){.shape = NB_SPHERE, .radius = 3, .y = 5};
-  it->walls[0] = (struct nb_wall){.name = "low", .material = 1, .ex = 1, .vy = 1};
-  it->walls[1] = (struct nb_wall){.name = "high", .material = 1, .ex = 1, .vy = -1, .y = 8};
+  it->walls[0] = (struct nb_wall){.name = "low", .material = 1, .ex = 1, .h1 = -1, .h2 = 1, .vy = 1};
+  it->walls[1] = (struct nb_wall){.name = "high", .material = 1, .ex = 1, .h1 = -1, .h2 = 1, .vy = -1, .y = 8};
   strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
   it->monitors[0] = (struct nb_monitor){.name = "L", .kind = NB_MONITOR_PARTICLE_WALL, .b = 0};
   it->monitors[1] = (struct nb_monitor){.name = "C", .kind = NB_MONITOR_PARTICLE_PARTICLE, .b = 1};

@@ -74,11 +74,13 @@ static void hertz_row(void) {
 }
 
 /* A column of two spheres that two walls compress, below the x axis. F is given, and y of the upper wall follows. */
-#define COLUMN(spheres, low, high)                                                                                     \
+#define BETWEEN_OF(spheres, low, high)                                                                                 \
   "material a density 3 young 2 poisson 0.3\nmaterial b density 5 young 7 poisson 0.1\n"                               \
   "material l young 11 poisson 0.25\nmaterial r young 1.3 poisson 0.4\nnormal hertz\nshear none\n" spheres             \
-  "wall low -9 -20 to 9 -20 l velocity 0 " low "\nwall high 9 -14 to -9 -14 r velocity 0 " high "\n"                   \
-  "monitor L sphere 1 with wall low\nstep 0.001\n"
+  "wall low " low "\nwall high " high "\nmonitor L sphere 1 with wall low\nstep 0.001\n"
+#define COLUMN(spheres, low, high)                                                                                     \
+  BETWEEN_OF(spheres, "-9 -20 to 9 -20 l velocity 0 " low, "9 -14 to -9 -14 r velocity 0 " high)
+#define BETWEEN(low, high) BETWEEN_OF(BALLS, low, high) ONCE
 #define BALLS "sphere 3 -18 radius 2 a\nsphere 3 -15 radius 1 b\n"
 static void hertz_curve(void) {
   const double k[3] = {hertz(2, 11, 0.25, 2, 0.3), hertz(2. / 3, 2, 0.3, 7, 0.1), hertz(1, 7, 0.1, 1.3, 0.4)}, f = 1e-3;
@@ -109,7 +111,7 @@ static void hertz_curve(void) {
          1e-3, {"normal", f, "overlap", alpha[2]});
 #undef AT
 #undef BEFORE
-#define EQUAL "up to seven spheres between a lower and an upper wall that approach with equal speeds"
+#define EQUAL "up to seven spheres between level walls, a lower and an upper one, that approach with equal speeds"
 #define ORDER "spheres one above the other, in the order of the page"
 #define TOUCH "walls and spheres that just touch at first"
 #define ONCE "stage s\ncycles 1\n"
@@ -119,6 +121,17 @@ static void hertz_curve(void) {
       "hertz_curve", "@", {COLUMN(BALLS, "0.2", "-0.2") SQUEEZE, NULL}, {COLUMN(BALLS, "0.2", "-0.3") ONCE, EQUAL},
       {COLUMN(BALLS, "0.2", "-0.2") "stage s\nwall low velocity 0 0.1\nwall high velocity 0 -0.2\ncycles 1\n", EQUAL},
       {COLUMN(BALLS, "0.2", "-0.2") ONCE "stage t\nwall high velocity 0 -0.1\ncycles 1\n", EQUAL},
+      {COLUMN(BALLS, "0.2", "-0.2") "stage s\nwall low velocity 0.1 0.2\nwall high velocity 0 -0.2\ncycles 1\n", EQUAL},
+      {COLUMN(BALLS, "0.2", "-0.2") "stage s\nwall low velocity 0 0.2\nwall high velocity -0.1 -0.2\ncycles 1\n",
+       EQUAL},
+      {BETWEEN("-9 -20 to 9 -20 l velocity 0.1 0.2", "9 -14 to -9 -14 r velocity 0 -0.2"), EQUAL},
+      {BETWEEN("-9 -20 to 9 -20 l velocity 0 0.2", "9 -14 to -9 -14 r velocity 0.1 -0.2"), EQUAL},
+      {BETWEEN("-9 -20 to 9 -19.99 l velocity 0 0.2", "9 -14 to -9 -14 r velocity 0 -0.2"), EQUAL},
+      {BETWEEN("-9 -20 to 9 -20 l velocity 0 0.2", "9 -14 to -9 -14.01 r velocity 0 -0.2"), EQUAL},
+      {BETWEEN("-9 -20 to 2.99 -20 l velocity 0 0.2", "2.99 -14 to -9 -14 r velocity 0 -0.2"), EQUAL},
+      {BETWEEN("-9 -20 to 3.01 -20 l velocity 0 0.2", "3.01 -14 to -9 -14 r velocity 0 -0.2"), NULL},
+      {BETWEEN("2.99 -20 to 9 -20 l velocity 0 0.2", "9 -14 to 3.01 -14 r velocity 0 -0.2"), EQUAL},
+      {BETWEEN("3.01 -20 to 9 -20 l velocity 0 0.2", "9 -14 to 2.99 -14 r velocity 0 -0.2"), EQUAL},
       {COLUMN(BALLS, "0.2", "-0.2") "wall other 20 -20 to 20 -14 l\n" ONCE, EQUAL},
       {COLUMN("sphere 3 -18 radius 2 a\nsphere 3.001 -15 radius 1 b\n", "0.2", "-0.2") ONCE, ORDER},
       {COLUMN("sphere 3 -18 radius 2 a\nsphere 3 -15 radius (1 + 1e-12) b\n", "0.2", "-0.2") ONCE, NULL},
@@ -138,6 +151,8 @@ static void hertz_curve(void) {
 #undef SQUEEZE
 }
 #undef BALLS
+#undef BETWEEN_OF
+#undef BETWEEN
 #undef COLUMN
 
 void suite_refs_hertz_rows(void) {

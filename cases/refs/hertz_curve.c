@@ -27,6 +27,7 @@
 #include <string.h>
 
 #include "hertz.h"
+#include "single.h"
 
 enum { POINTS = 16, CONTACTS = 8 };
 
@@ -79,13 +80,19 @@ static void add_value(struct nb_solution *solution, const char *name, const char
   solution_curve(solution, name, along, at, copy);
 }
 
-/* Whether the walls have opposite velocities in every stage. */
+/* Whether both walls are level, face the spheres, and move along y with opposite velocities in every stage. */
 static bool symmetric(const struct nb_scene *scene) {
+  for (int w = 0; w < 2; w++)
+    if (scene->walls[w].ey != 0 || scene->walls[w].vx != 0 ||
+        !single_faces(&scene->walls[w], scene->particles[0].x, scene->particles[0].y))
+      return false;
   for (size_t s = 0; s < scene->stage_count; s++) {
     double v[2] = {0};
     for (size_t m = 0; m < scene->stages[s].motion_count; m++) {
       const struct nb_wall_motion *motion = &scene->stages[s].motions[m];
       v[motion->wall] += motion->vy;
+      if (motion->vx != 0)
+        return false;
     }
     if (v[0] + v[1] != 0)
       return false;
@@ -146,7 +153,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->contact_test)
     return solve_contact_test(solution, scene, error);
   if (scene->wall_count != 2 || scene->particle_count < 1 || scene->particle_count >= CONTACTS || !symmetric(scene))
-    return refuse(error, "up to seven spheres between a lower and an upper wall that approach with equal speeds");
+    return refuse(error,
+                  "up to seven spheres between level walls, a lower and an upper one, that approach with equal speeds");
   if (column(contact, scene, error))
     return error->status;
   for (size_t w = 0; w < scene->monitor_count; w++)

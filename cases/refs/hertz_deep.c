@@ -24,6 +24,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct hertz hertz;
   if (hertz_read(&hertz, scene, "hertz_deep", error))
     return error->status;
+  if (!(hertz_restitution(hertz.damping) > 0))
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `hertz_deep` is for an impact that ends, with dashpots well below critical "
+                        "damping");
   const struct nb_particle *a = hertz.particles[0], *b = hertz.particles[1];
   const double smaller = b && b->radius < a->radius ? b->radius : a->radius;
   const double limit = scene->damping.deep * 2 * smaller / hertz.depth, beta = hertz.damping;
