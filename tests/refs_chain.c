@@ -244,7 +244,7 @@ static void other_chains(void) {
       {ROW("", SECOND, LEFT "wall r 10.5 -9 to 10.51 9 v\n") STEP, same},
   };
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    check_message("chain", parts[k].text, parts[k].message);
+    refs_check_message("chain", parts[k].text, parts[k].message);
 #undef ENDS
 #undef SECOND
 }
@@ -255,7 +255,7 @@ static void other_chains(void) {
 #undef STEP
 
 void suite_refs_chain(void) {
-  CU_pSuite suite = CU_add_suite("refs_chain", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_chain", NULL, refs_released);
   CU_add_test(suite, "the sum of modes equals the calculation cycle", modes_equal_the_cycle);
   CU_add_test(suite, "an impulse gives Bessel functions", impulse_gives_bessel_functions);
   CU_ADD_TEST(suite, chain);

@@ -139,7 +139,7 @@ static void impacts_without_rebound(void) {
 }
 
 void suite_refs_hertz_motion(void) {
-  CU_pSuite suite = CU_add_suite("refs_hertz_motion", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_hertz_motion", NULL, refs_released);
   CU_ADD_TEST(suite, motion_without_damping);
   CU_ADD_TEST(suite, impacts_and_monitors);
   CU_ADD_TEST(suite, impacts_without_rebound);

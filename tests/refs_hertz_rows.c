@@ -156,7 +156,7 @@ static void hertz_curve(void) {
 #undef COLUMN
 
 void suite_refs_hertz_rows(void) {
-  CU_pSuite suite = CU_add_suite("refs_hertz_rows", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_hertz_rows", NULL, refs_released);
   CU_ADD_TEST(suite, hertz_row);
   CU_ADD_TEST(suite, hertz_curve);
 }

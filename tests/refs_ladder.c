@@ -129,7 +129,7 @@ static void psi2_error(void) {
 }
 
 void suite_refs_ladder(void) {
-  CU_pSuite suite = CU_add_suite("refs_ladder", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_ladder", NULL, refs_released);
   CU_ADD_TEST(suite, contact_ladder);
   CU_ADD_TEST(suite, psi2_error);
 }

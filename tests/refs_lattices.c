@@ -411,7 +411,7 @@ static void lattice_stress(void) {
 }
 
 void suite_refs_lattices(void) {
-  CU_pSuite suite = CU_add_suite("refs_lattices", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_lattices", NULL, refs_released);
   CU_ADD_TEST(suite, boxed_lattice);
   CU_ADD_TEST(suite, boxed_lattice_and_a_disc);
   CU_ADD_TEST(suite, servo_lattice);

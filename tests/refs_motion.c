@@ -354,7 +354,7 @@ static void slide_to_roll(void) {
     snprintf(page, sizeof page, SLIDES_ON("step %s\n", "0.5", "4.9", "%.9g 3 to %.9g 3", "stage t\ncycles 90\n"),
              k < 4 ? "0.01" : "(0.01/(2*sqrt(5/30))) of single-contact", k % 4 < 2 ? -9 : far + (k % 2 ? -1e-6 : 1e-6),
              k % 4 < 2 ? far + (k % 2 ? -1e-6 : 1e-6) : -9);
-    check_message("slide_to_roll", page, k % 2 ? LONG : NULL);
+    refs_check_message("slide_to_roll", page, k % 2 ? LONG : NULL);
   }
   PARTS("slide_to_roll", SLIDES_ON("step 0.01\n", "0.5", "@", "-9 3 to 99 3", ""), {"(5 - 0.1*(1 - 0.9e-4))", NULL},
         {"(5 - 0.1*(1 + 0.9e-4))", NULL}, {"(5 - 0.1*1.1)", FORCE("2.2")}, {"(5 - 0.1*0.9)", FORCE("1.8")},
@@ -395,7 +395,7 @@ static void rotation_off(void) {
   for (int k = 0; k < 4; k++) {
     snprintf(page, sizeof page, ROTATES("%.9g 3 to %.9g 3", RESUMES), k < 2 ? -9 : far + (k == 2 ? 1e-6 : -1e-6),
              k < 2 ? far + (k == 0 ? 1e-6 : -1e-6) : -9);
-    check_message("rotation_off", page, k % 2 ? LONG : NULL);
+    refs_check_message("rotation_off", page, k % 2 ? LONG : NULL);
   }
   PARTS("rotation_off", ROTATES("@", ""), {"6.99 3 to 99 3", NULL}, {"7.01 3 to 99 3", LEVEL}, {"99 3 to 6.99 3", NULL},
         {"99 3 to 7.01 3", LEVEL}, {"9.94 3 to -9 3", LONG}, {"9.96 3 to -9 3", LONG}, {"-9 5 to 99 5", LEVEL});
@@ -430,7 +430,7 @@ static void wedge(void) {
                  NESTS("0.1 -1", "%.17g %.17g to %.17g %.17g", "%.17g %.17g to %.17g %.17g", "stage s\ncycles 1\n"),
                  2 - 0.8 * of[0][0], 1 + 0.6 * of[0][0], 2 - 0.8 * of[0][1], 1 + 0.6 * of[0][1], 2 + 0.6 * of[1][0],
                  1 + 0.8 * of[1][0], 2 + 0.6 * of[1][1], 1 + 0.8 * of[1][1]);
-        check_message("wedge", page, (more > 0) == end ? NULL : ON);
+        refs_check_message("wedge", page, (more > 0) == end ? NULL : ON);
       }
   PARTS("wedge", NESTS("@", "2 1 to -6 7", "2 1 to 8 9", "stage s\ncycles 1\n"), {"-0.74 -1", NULL}, {"-0.76 -1", ON},
         {"1.33 -1", NULL}, {"1.34 -1", ON}, {"0 1", ON});
@@ -552,13 +552,13 @@ static void wall_end(void) {
       {HITS("10.5", "4", "-1", "-4"), BESIDE},    {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
       {HITS("9.5", "4", "0.01", "-0.02"), NULL},  {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    check_message("wall_end", parts[k].text, parts[k].message);
+    refs_check_message("wall_end", parts[k].text, parts[k].message);
 #undef TOWARD
 #undef BESIDE
 }
 
 void suite_refs_motion(void) {
-  CU_pSuite suite = CU_add_suite("refs_motion", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_motion", NULL, refs_released);
   CU_ADD_TEST(suite, one_contact_covers);
   CU_ADD_TEST(suite, one_contact_values);
   CU_ADD_TEST(suite, incline);

@@ -51,7 +51,7 @@ static void path_no_slip(void) {
       for (int sign = -1; sign < 2; sign += 2) {
         snprintf(page, sizeof page, TOUCHES("%s", "segment q slip to %.17g in 3 steps\n"), names[law],
                  sign * largest * (over ? 1.0001 : 0.9999));
-        check_message("path_no_slip", page, over ? "a path without sliding" : NULL);
+        refs_check_message("path_no_slip", page, over ? "a path without sliding" : NULL);
       }
   }
 }
@@ -197,7 +197,7 @@ static void path_randall(void) {
 }
 
 void suite_refs_paths(void) {
-  CU_pSuite suite = CU_add_suite("refs_paths", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_paths", NULL, refs_released);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);
   CU_ADD_TEST(suite, forces_above_the_limit);

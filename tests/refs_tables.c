@@ -85,7 +85,7 @@ void refs_check(const char *reference, const char *page, double scale, const str
   solution_free(&solution);
 }
 
-void check_message(const char *reference, const char *page, const char *message) {
+void refs_check_message(const char *reference, const char *page, const char *message) {
   struct nb_solution solution;
   struct nb_error error = {0};
   char text[512] = "";
@@ -104,10 +104,10 @@ void refs_check_parts(const char *reference, const char *page, const struct part
     char text[4096];
     const char *const at = strchr(page, '@');
     snprintf(text, sizeof text, "%.*s%s%s", (int)(at - page), page, parts[k].text, at + 1);
-    check_message(reference, text, parts[k].message);
+    refs_check_message(reference, text, parts[k].message);
   }
 }
-int released(void) {
+int refs_released(void) {
   release();
   return 0;
 }

@@ -20,7 +20,7 @@ struct expected {
 enum nb_status refs_solve(struct nb_solution *solution, const char *reference, const char *text,
                           struct nb_error *error);
 /* Frees the last scene, at the end of a suite. */
-int released(void);
+int refs_released(void);
 
 /* The solution has the expected values, and no other ones. `scale`: a value of 0 may differ by 1e-12 of it. */
 void refs_check(const char *reference, const char *page, double scale, const struct expected *expected, size_t count);
@@ -31,7 +31,7 @@ void refs_check(const char *reference, const char *page, double scale, const str
   } while (0)
 
 /* The reference accepts the scene if `message` is NULL, or refuses it with this message, after its name. */
-void check_message(const char *reference, const char *page, const char *message);
+void refs_check_message(const char *reference, const char *page, const char *message);
 
 /* The page with each text in place of `@`. */
 struct part {

@@ -27,9 +27,9 @@ static void centripetal(void) {
          HEAP "stage s\ngravity centripetal 4 about 2 3\ncycles 1\nstage n\ngravity 0 0\ncycles 1\nstage t\n"
               "gravity centripetal 5 about 2 3\ncycles 1\nstage u\ncycles 1\n",
          p0, {"R.stress.mean in u", p0 * (1 - 1 / radius)}, {"U.stress.mean in u", p0 * (1 - 4 / (3 * radius))});
-  check_message("centripetal",
-                HEAP "stage s\ngravity centripetal 4 about 2 3\ncycles 1\nstage t\ngravity 0 0\ncycles 1\n",
-                "`gravity centripetal` in the last stage");
+  refs_check_message("centripetal",
+                     HEAP "stage s\ngravity centripetal 4 about 2 3\ncycles 1\nstage t\ngravity 0 0\ncycles 1\n",
+                     "`gravity centripetal` in the last stage");
 }
 
 /* A disc between two plates. The springs of the plates have k_n = 15 and k_s = 6, since those of the disc are 10 and 4
@@ -363,7 +363,7 @@ static void changed_law(void) {
   for (int k = 0; k < 2; k++) {
     snprintf(page, sizeof page, SLIDES("%.17g", "0.8", "-9 5 to 9 5", "stage s\ncycles 10\nstage t\ncycles 8\n"),
              least / (32 * pi / 3) * (k ? 1.0001 : 0.9999));
-    check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
+    refs_check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
   }
   /* The laws of a stage apply up to its end, t = 1, included: linear springs, without sliding.
    * The normal e = (0, -1) from the sphere to the wall gives t = (-1, 0), and the sphere moves along t by 0.01 t. */
@@ -416,7 +416,7 @@ static void changed_law_of_a_heavy_sphere(void) {
     char page[4096] = WIDE("0.01", "");
     for (int k = 0; k < n; k++)
       snprintf(page + strlen(page), sizeof page - strlen(page), "stage s%d\nshear none\ncycles 1\n", k);
-    check_message("changed_law", page, n == 32 ? NULL : STICKS);
+    refs_check_message("changed_law", page, n == 32 ? NULL : STICKS);
   }
   /* The wall is below and moves to -x: the sphere moves along t = (-1, 0) by -0.002 t, relative to it. */
   const double v = 0.002, overlap = 0.01, ka = 8 * 1.6 / 3.5 * sqrt(2 * overlap);
@@ -451,8 +451,8 @@ static void zigzag(void) {
   char without[sizeof page];
   const char *const region = strstr(page, "region A all\n"), *const after = region + strlen("region A all\n");
   snprintf(without, sizeof without, "%.*s%s", (int)(region - page), page, after);
-  check_message("zigzag", without,
-                "a region and three or more free discs whose contacts all make the same angle with y");
+  refs_check_message("zigzag", without,
+                     "a region and three or more free discs whose contacts all make the same angle with y");
   VALUES("zigzag", page, 1, {"A.chains", 1}, {"A.chains.length", 3}, {"A.chains.fraction", 0.75},
          {"A.chains.bend", 2 * phi});
 }
@@ -477,11 +477,11 @@ static void packing(void) {
   const char *const more[] = {"", "disc 30 9 radius 1 m\n", again};
   for (int k = 0; k < 3; k++) {
     snprintf(page, sizeof page, READS, list, more[k]);
-    check_message("packing", page, k ? "one `packing`, and no other particles" : NULL);
+    refs_check_message("packing", page, k ? "one `packing`, and no other particles" : NULL);
   }
-  check_message("packing",
-                "material m density 1 kn 1\nnormal linear\ndisc 0 0 radius 1 m\nstep 0.1\nstage s\ncycles 1\n",
-                "one `packing`, and no other particles");
+  refs_check_message("packing",
+                     "material m density 1 kn 1\nnormal linear\ndisc 0 0 radius 1 m\nstep 0.1\nstage s\ncycles 1\n",
+                     "one `packing`, and no other particles");
   snprintf(page, sizeof page, READS, list, "");
   VALUES("packing", page, 0, {"D.x at 0 cycles", 1.25}, {"D.y at 0 cycles", -0.5}, {"E.x at 0 cycles", 9.5},
          {"E.y at 0 cycles", 0.25}, {"C.normal at 0 cycles", 0.3}, {"C.shear at 0 cycles", 0},
@@ -533,9 +533,9 @@ static void rayleigh_cycle(void) {
   solution_free(&solution);
   for (int apart = 0; apart < 2; apart++) {
     snprintf(page, sizeof page, COLLIDE, apart ? "1.99" : "2.01", 900ul);
-    check_message("rayleigh_cycle", page,
-                  apart ? NULL
-                        : "two particles of one material that collide along x, and `step F of rayleigh-fit-mean`");
+    refs_check_message("rayleigh_cycle", page,
+                       apart ? NULL
+                             : "two particles of one material that collide along x, and `step F of rayleigh-fit-mean`");
   }
 }
 
@@ -644,8 +644,8 @@ static void speed_of_loading(void) {
   VALUES("speed_of_loading", CLOSES("0.001", "0.01 of single-contact", "700"), 0,
          {"unbalanced.max in s", unbalanced / largest});
 #define LASTS(t) "a first stage that lasts longer than 20/alpha with `damping mass alpha`; it lasts " t "/alpha"
-  check_message("speed_of_loading", CLOSES("0.001", "0.01", "667"), NULL);
-  check_message("speed_of_loading", CLOSES("0.001", "0.01", "666"), LASTS("19.98"));
+  refs_check_message("speed_of_loading", CLOSES("0.001", "0.01", "667"), NULL);
+  refs_check_message("speed_of_loading", CLOSES("0.001", "0.01", "666"), LASTS("19.98"));
 #undef LASTS
 }
 
@@ -690,9 +690,9 @@ static void taken_out(void) {
          ALONG("D", 50, 0, 0, 1, 0.1 * (1 - cos(0.3 * q4)), 0.1 * (1 + q4 * 0.65 - pi / 2), 0.1 * q4));
 #undef ALONG
 #define TWO "two stages, of which only the second removes something, and a step given as a time"
-  check_message("taken_out", REMOVES("remove disc 1\n", GONE "cycles 65\n"), TWO);
-  check_message("taken_out", REMOVES("remove wall low\n", GONE "cycles 65\n"), TWO);
-  check_message("taken_out", REMOVES("", GONE "cycles 65\nstage u\ncycles 1\n"), TWO);
+  refs_check_message("taken_out", REMOVES("remove disc 1\n", GONE "cycles 65\n"), TWO);
+  refs_check_message("taken_out", REMOVES("remove wall low\n", GONE "cycles 65\n"), TWO);
+  refs_check_message("taken_out", REMOVES("", GONE "cycles 65\nstage u\ncycles 1\n"), TWO);
 #undef TWO
 }
 
@@ -819,7 +819,7 @@ static void filling(void) {
 }
 
 void suite_refs_values(void) {
-  CU_pSuite suite = CU_add_suite("refs_values", NULL, released);
+  CU_pSuite suite = CU_add_suite("refs_values", NULL, refs_released);
   CU_ADD_TEST(suite, centripetal);
   CU_ADD_TEST(suite, cohesion);
   CU_ADD_TEST(suite, cohesion_in_two_presses);
