@@ -85,8 +85,8 @@ for k in 1 2 3 4 5 6 7 8 9 10; do kill -0 $! 2>/dev/null && sleep 0.5; done
 kill -9 $! 2>/dev/null
 wait $!
 test $? -eq 130 && said 'stopped by a signal after step' && said '; a contact test cannot be continued, so run it again' &&
-  said 'a contact test has no checkpoints, because it takes seconds'
-result $? 'SIGINT ends a contact test'
+  said 'a contact test has no checkpoints, because it takes seconds' && grep -q '^to repeat: .* --checkpoint$' "$why"
+result $? 'SIGINT ends a contact test, and the command to repeat it is shown'
 
 # ---- kill -9 ----
 

@@ -196,12 +196,13 @@ static void forces_are_sought_within_the_smaller_diameter(void) {
   }
 }
 
-/* The stiffness of two materials is 2ab/(a+b) of their stiffnesses, here 100 and 300. */
+/* The stiffness of two materials is 2ab/(a+b) of their stiffnesses, here 100 and 300. With `units none` a material may
+ * have the name of a unit, `m`. */
 static void a_contact_of_two_materials(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      "path\nunits none\nmaterial a kn 100\nmaterial b kn 300\ncontact disc 1 a with disc 1 b\nnormal linear\nrecord "
+      "path\nunits none\nmaterial m kn 100\nmaterial s kn 300\ncontact disc 1 m with disc 1 s\nnormal linear\nrecord "
       "normal\nsegment press overlap to 0.5 in 2 steps\nsegment more overlap to 0.75 in 1 step\n");
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 0), 150 * 0.5, 1e-12);
   CU_ASSERT(result.stages[0].cycles == 2 && result.stages[0].updates == 2);

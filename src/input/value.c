@@ -91,14 +91,15 @@ static bool is_clause(const struct nb_reader *reader, const struct nb_token *tok
 }
 
 /* True if the words after a number are positional arguments of the row, such as the material of a disc, and not a
- * unit. */
+ * unit. The row of `contact` has no arguments: one word, the material, follows a radius, and then `with` or the end. */
 static bool are_words_of_row(const struct nb_reader *reader) {
   const struct nb_argument *const fields = reader->keyword ? reader->keyword->arguments : NULL;
-  size_t wanted = 0, words = 0;
+  const bool contact = reader->here == NB_IN_CONTACT_TEST && strcmp(reader->tokens[0].text, "contact") == 0;
+  size_t wanted = contact, words = 0;
   for (const struct nb_argument *field = fields; field && field->count; field++)
     wanted += !field->word && field->kind == NB_ARGUMENT_WORD && !(reader->given >> (field - fields) & 1);
   for (const struct nb_token *token; (token = token_after(reader, 1 + words)); words++)
-    if (is_clause(reader, token) || is_number(token))
+    if (is_clause(reader, token) || is_number(token) || (contact && strcmp(token->text, "with") == 0))
       break;
   return words <= wanted;
 }

@@ -35,6 +35,8 @@ void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const c
                                              !folder};
   nb_outcome_make(outcome, path, call->settings, &options, &progress);
   nb_print_progress_end(&line);
+  if (nb_is_stopped(&options) && outcome->status > NB_FAILED && outcome->run_count)
+    *call->repeats = outcome->runs[0].scene.contact_test;
 }
 
 /* The folder of the output files of a page: the folder that the call gives, or NAME.out. */

@@ -17,6 +17,7 @@ struct nb_call {
   const char **settings; /* NULL-terminated */
   const char **unrun;    /* pages that a report shows without running them; NULL-terminated */
   struct nb_options options;
+  bool *repeats; /* set when a signal has stopped a page: whether it is a contact test, which has no checkpoint */
   bool tap;
   bool in_place;
   bool all;           /* `advise --all`: many pages */

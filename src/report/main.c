@@ -125,15 +125,15 @@ static void catch_signals(struct nb_call *call) {
   sigaction(SIGTERM, &action, NULL);
 }
 
-/* Prints how to continue, and returns the exit status of a process that a signal has ended. */
+/* Prints how to continue, or how to repeat a contact test, and returns the exit status of a process that a signal has ended. */
 static int stopped(const struct nb_call *call, char **words) {
-  fputs("to continue:", stderr);
+  fputs(*call->repeats ? "to repeat:" : "to continue:", stderr);
   for (; *words; words++) {
     char word[4096] = "";
     nb_append_word(word, sizeof word, *words);
     fprintf(stderr, " %s", word);
   }
-  fputs(call->options.checkpoint.resume ? "\n" : " --resume\n", stderr);
+  fputs(call->options.checkpoint.resume || *call->repeats ? "\n" : " --resume\n", stderr);
   return 128 + (int)stop_signal;
 }
 
@@ -387,7 +387,8 @@ static void open_closed_streams(void) {
 
 int main(int count, char **words) {
   open_closed_streams();
-  struct nb_call call = {.options = {.threads = 1}};
+  bool repeats = false;
+  struct nb_call call = {.options = {.threads = 1}, .repeats = &repeats};
   call.options.states = getenv("NINEBALL_STATES");
   enum nb_status status = check_text(call.options.states);
   for (int k = 1; k < count && !status; k++)
