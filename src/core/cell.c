@@ -55,10 +55,8 @@ int nb_cell_move(struct nb_model *model) {
     return 0; /* there is no search */
   cell->deformation = tensor_add(cell->deformation, tensor_product(step, cell->deformation));
   const struct nb_tensor change = tensor_sub(cell->deformation, one);
-  const double strained = tensor_size(change);
-  const double left = strained > 0 ? model->search.skin - strained * (2 * cell->largest_radius + model->search.skin)
-                                   : model->search.skin;
-  cell->travel_limit = left > 0 ? left / 2 : 0;
+  const double left = model->search.skin - tensor_size(change) * (2 * cell->largest_radius + model->search.skin);
+  cell->travel_limit = left / 2; /* if it is not above 0, a search follows in this cycle, which resets it */
   return left <= 0;
 }
 
