@@ -323,6 +323,7 @@ SUITES = \
   tests/stated.c \
   tests/refs.c tests/refs_covers.c tests/refs_features.c tests/refs_accepts.c \
   tests/refs_nine.c \
+  tests/refs_networks.c \
   tests/refs_rotation.c \
   tests/refs_extremes.c \
   tests/refs_refuses.c \

@@ -21,9 +21,9 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   static const double pi = 3.14159265358979323846, porosity = 0.155;
-  const struct nb_gravity *gravity = &scene->gravity;
+  const struct nb_gravity *gravity = &scene->stages[0].gravity; /* it is a statement of stages only */
   double mass = 0, diameter = 0, area = 0;
-  for (size_t s = 0; s < scene->stage_count; s++)
+  for (size_t s = 1; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
       gravity = &scene->stages[s].gravity;
   if (!(gravity->central > 0))

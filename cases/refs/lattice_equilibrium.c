@@ -141,9 +141,6 @@ static bool slides_along_force(const struct lattice *lattice, const gsl_vector *
 
 enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                            struct nb_error *error) {
-  for (size_t c = 0; c < lattice->contact_count; c++)
-    if (lattice->contacts[c].pair.cohesion != 0)
-      return nb_error_set(error, NB_BAD_USE, "this reference is for friction without cohesion");
   int *slides = calloc(lattice->contact_count, sizeof *slides);
   if (!slides)
     return nb_error_memory(error);

@@ -108,11 +108,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
     return status;
-  for (size_t c = 0; c < lattice.contact_count; c++)
-    if (lattice.contacts[c].pair.cohesion != 0)
-      status = nb_error_set(error, NB_BAD_USE, "this reference is for friction without cohesion");
-  if (status == NB_OK)
-    status = make_traces(&recorder, &lattice, error);
+  status = make_traces(&recorder, &lattice, error);
   if (status == NB_OK)
     status = lattice_path(&lattice, add_point, &recorder, error);
   if (status == NB_OK)
