@@ -771,6 +771,12 @@ result $? 'a page is found by its name with a folder'
 on twice >"$root/cases/2-two/page.md"
 no "$root/cases/2-two/page.md" "page.md:3:7: error: expected one file of this name, found \`$root/cases/1-one/deeper/twice.md\` and \`$root/cases/1-one/twice.md\`"
 result $? 'an ambiguous name is an error that names both files'
+# The search finds a file of a folder before those of its folders: here in the order 1, 3, 2 of the alphabet.
+mkdir -p "$root/cases/4-four/d/a"
+for folder in . d d/a; do cp "$root/cases/1-one/twice.md" "$root/cases/4-four/$folder/chain.md"; done
+on chain >"$root/cases/2-two/page.md"
+no "$root/cases/2-two/page.md" "page.md:3:7: error: expected one file of this name, found \`$root/cases/4-four/chain.md\` and \`$root/cases/4-four/d/a/chain.md\`"
+result $? 'of three files with this name it names the first two in alphabetical order'
 on 1-one/twice >"$root/cases/2-two/page.md" && test "$(cycle_of "$root/cases/2-two/page.md")" = 7 &&
   on ../1-one/twice >"$root/cases/2-two/page.md" && test "$(cycle_of "$root/cases/2-two/page.md")" = 7
 result $? 'a name with its folder is not ambiguous'

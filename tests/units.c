@@ -135,6 +135,9 @@ static void foreign(void) {
              {"mph", 5280 * FOOT / 3600, 1, 0, -1},
              {"ft/s2", FOOT, 1, 0, -2},
              {"min", 60, 0, 0, 1},
+             {"sec, second, seconds", 1, 0, 0, 1},
+             {"msec", 1e-3, 0, 0, 1},
+             {"usec", 1e-6, 0, 0, 1},
              {"rpm", 2 * 3.14159265358979323846 / 60, 0, 0, -1}};
   for (size_t i = 0; i < COUNT(all); i++) {
     const struct nb_dimension dimension = {60 * all[i].m, 60 * all[i].kg, 60 * all[i].s};

@@ -382,7 +382,7 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
              nb_quantity_read(&value, number, false, &read) == NB_READ ? value : 0);
     return nb_quantity_read(&value, number, false, &read) == NB_READ;
   }
-  if (!unit && memchr(text, '.', n) && all > n + 1)
+  if (memchr(text, '.', n) && all > n + 1)
     return two_numbers_hint(hint, reader, text, n), true;
   const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
                      : all > n + 1 ? "write `%.*s.%s`, without a comma"

@@ -94,10 +94,9 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   LINES(particles, particle_count);
   LINES(walls, wall_count);
   /* Laws that --set gives apply to the stages of this page only. */
-  const bool normal_set = to->normal[0], shear_set = to->shear[0];
   struct nb_laws set = {.pieces = to->pieces};
-  snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
-  snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");
+  snprintf(set.normal, sizeof set.normal, "%s", to->normal);
+  snprintf(set.shear, sizeof set.shear, "%s", to->shear);
   memcpy(to->normal, from->normal, sizeof to->normal), memcpy(to->shear, from->shear, sizeof to->shear);
   to->normal_line = replaced_line(from->normal_line, line), to->shear_line = replaced_line(from->shear_line, line);
   to->pieces = from->pieces, to->allow_unstable = from->allow_unstable;

@@ -388,7 +388,7 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r, bool over) {
     const struct nb_expectation *e = &expectations->list[k];
     if (nb_is_over_sweep(e) != over || (over && !nb_sweep_is_first(outcome, r, e)))
       continue;
-    const char *single = over ? nb_sweep_single_value(outcome, r, e) : NULL;
+    const char *single = nb_sweep_single_value(outcome, r, e);
     if (single) {
       stored = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", single);
       continue;
