@@ -256,7 +256,7 @@ static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, do
     return;
   const size_t first = (size_t)nb_box_first_wall(scene), sides = NB_BOX_SIDES;
   const bool of_box = is_of_box(wall);
-  const size_t opposite = of_box ? first + (index - first + sides / 2) % sides : index;
+  const size_t opposite = first + (index - first + sides / 2) % sides; /* only of a box */
   const char *const m = scene->unitless ? "" : " m";
   if (!of_box || nb_wall_motion_after(scene, stages, opposite).spin != spin)
     nb_warn(
