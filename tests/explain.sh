@@ -262,6 +262,67 @@ cost
   the time of a cycle cannot be measured: the run begins with a state that does not exist yet
 END
 
+# Two discs of radius 4 mm do not fit into a circle of radius 7 mm; the small ones have space. Numbers count in the order of the lines.
+printf 'x/mm\ty/mm\tradius/mm\n1\t1\t1\n4\t1\t1.5\n' >two.tsv
+printf 'x/mm\ty/mm\tradius/mm\n30\t1\t1\n34\t1\t1.5\n38\t1\t1\n' >three.tsv
+cat >placed.md <<'END'
+```scene
+material  rock  density 2000 kg/m3  kn 3 MN/m
+grading   G  0.5 mm 3  4 mm 4
+grading   H  1 mm 2
+periodic cell 0 mm 0 mm to 60 mm 30 mm
+disc      30 mm 10 mm  radius 1 mm  rock
+packing   two.tsv discs rock
+fill      discs circle 15 mm 20 mm radius 7 mm  G rock  seed 3  attempts 400  else skip
+fill      spheres box 45 mm 10 mm to 50 mm 25 mm  H rock  seed 4  attempts 500  else stop
+fill      discs cell  H rock  seed 5  attempts 60  else skip
+packing   three.tsv spheres rock
+step      0.1 of stable
+record    time
+stage     one
+  cycles  1
+```
+END
+"$nineball" explain placed.md 2>"$why" | sed '/^neighbour/,$d; s/ in [0-9]* attempts/ in N attempts/' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+placed
+particles
+  14 particles, 0 walls
+random fillings
+  circle with G, seed 3: 4 of 7 particles placed in N attempts, particles 4 to 7 (line 8)
+    radius 0.004 m: 1, 3 not placed, no space
+    radius 0.0005 m: 3
+  box with H, seed 4: 2 of 2 particles placed in N attempts, particles 8 to 9 (line 9)
+    radius 0.001 m: 2
+  cell with H, seed 5: 2 of 2 particles placed in N attempts, particles 10 to 11 (line 10)
+    radius 0.001 m: 2
+packings
+  two.tsv: 2 particles, numbers 2 to 3 (line 7)
+  three.tsv: 3 particles, numbers 12 to 14 (line 11)
+END
+result $? 'random fillings and packings'
+
+# Without the state a step is known if it depends neither on contacts nor on velocities. The discs have m = 8 pi g. The shortest period is
+# that of 5 MN/m at the wall, to which stage `two` ramps; the shortest collision, pi (m/(2k))^(1/2), is that of two discs with 3 MN/m.
+for step in '0.25 of single-contact:  3.54491e-05 s' '0.25 of stable:  follows from that state' '2 us:  2e-06 s' '9 per collision:  2.25918e-05 s'; do
+  printf '```scene\nstart springs stage two\nstep %s\nrecord time\nstage on\ncycles 1\n```\n' "${step%%:*}" >unknown.md
+  "$nineball" explain unknown.md --states none 2>"$why" | tee -a "$why" | sed -n '/^step/{n;p;}' >out
+  test "$(cat out)" = "${step#*:}"
+  result $? "the step of a page whose state does not exist yet: ${step%%:*}"
+done
+
+printf '```scene\nunits none\nmaterial m density 1 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 m\ngravity 0 -9\nboundary circle 0 0 radius 9\nstep 0.1\nrecord time\n' >slowed.md
+printf 'stage a\ndamping con1 0.125 as velocity\ndamping critical beyond overlap 2 %%\ndamping ratio 0.5\ncycles 1\n```\n' >>slowed.md
+"$nineball" explain slowed.md 2>"$why" | sed -n '/^loading/,/^force/p' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+loading and damping, at the start of the run
+  line 7: boundary circle 0 0 radius 9
+  line 6: gravity 0 -9
+  damping ratio 0.5, line 13
+  damping critical beyond overlap 2 %, line 12
+  damping con1 0.125, line 11
+force passes at the start of the run, for each pair of materials
+END
+result $? 'gravity, a boundary and three kinds of damping'
+
 # Two materials with the moduli E_1, E_2: 1/E* is the sum of (1 - nu^2)/E, 1/G* that of 2 (2 - nu) (1 + nu)/E.
 cat >elastic.md <<'END'
 ```contact-test

@@ -318,11 +318,10 @@ static void explain_loading(FILE *out, const struct nb_scene *scene) {
   explain_statement(out, scene, scene->circle.line, "\n");
   explain_statement(out, scene, scene->gravity.line, "\n");
   explain_dashpots(out, scene, damping);
-  if (damping->global_kind) {
-    fprintf(out, "  %s %g%s", damping->global_kind == NB_GLOBAL_MASS ? "mass-proportional damping" : "damping con1",
-            damping->global, damping->global_kind == NB_GLOBAL_MASS ? nb_unit(scene, " 1/s") : "");
-    fprintf(out, damping->global_line ? ", line %d\n" : ", --set\n", damping->global_line);
-  }
+  if (damping->global_kind)
+    fprintf(out, "  %s %g%s, line %d\n",
+            damping->global_kind == NB_GLOBAL_MASS ? "mass-proportional damping" : "damping con1", damping->global,
+            damping->global_kind == NB_GLOBAL_MASS ? nb_unit(scene, " 1/s") : "", damping->global_line);
 }
 
 static bool explain_plan(FILE *out, const struct nb_model *model) {
