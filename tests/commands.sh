@@ -1092,4 +1092,53 @@ for last in 2099997:quiet 2100000:said; do
   diff wanted "$why" >out
   result $? "a table of a million rows: $last"
 done
+
+# A search on a terminal writes its progress over one line, as a fraction of the budget, which is the time so far, and the rest of the
+# budget: P % of 400 s are 4 P s. It removes the line at its end. The step may be 128 times as long, the longest that is tried. The run of
+# the page takes more than a second, so it is not timed again.
+cat >slow.md <<'END'
+```scene
+units none
+trade laws none
+material m density 1 kn 1
+disc 0 0 radius 1 m velocity 1 0
+monitor D disc 1
+let n = 1048576
+step 1e-6
+record D.x
+stage a
+record every (n/16) cycles
+cycles $n
+```
+END
+if command -v script >/dev/null; then
+  cycles=$("$nineball" explain slow.md | awk '/^  a cycle with recording takes/ { n = 1048576; while (n * $6 < 1.3e6) n *= 2; printf "%d", n }')
+  script -qec "'$nineball' advise slow.md --set n=$cycles --quantity D.x --within 1 --budget 400 -o slow --trust" /dev/null </dev/null 2>&1 |
+    tr '\r' '\n' >"$why"
+  awk -v clear="$(printf '\033[K')" '
+    / s left/ { seen++; d = 4*$4 + $6 - 400; bad += !/^slow.md, stage search: [ 0-9][ 0-9][0-9] %, [0-9]* s left   $/ || $4 < 1 || d > 3 || d < -3 }
+    $0 == clear "slow: D.x within 1" { cleared = seen }
+    /^  time: [0-9.e-]* s instead of [0-9.e-]* s, the shortest of the trials$/ { timed = $2 < $6/32 && $6 > 1 }
+    END { exit !(seen && cleared == seen && timed && !bad) }' "$why"
+  result $? 'the progress of a search on a terminal, and its times'
+
+  # A report writes the page that is next. When k pages took more than 2 s, the n - k others take (n - k)/k of this time, here 2 and 1/2.
+  # Of the pages it prints only those that failed, each on a line of its own.
+  if command -v pandoc >/dev/null; then
+    sed "s/^let n.*/let n = $((2 * cycles))/" slow.md >first.md
+    began=$(date +%s)
+    script -qec "'$nineball' report first.md good.md bad.md -o site" /dev/null </dev/null 2>&1 | tr '\r' '\n' >"$why"
+    sed "s/$(printf '\033\[K')/|/; s/, about [0-9]* s left/, LEFT/; /, stage a: .* s left   $/d; /^|*$/d" "$why" | diff -u - /dev/fd/3 >out 3<<'END'
+|1 of 3: first
+|first                           0 checks, 0 failed; nothing was checked
+|2 of 3: good, LEFT
+|3 of 3: bad, LEFT
+|bad                             2 checks, 1 failed
+|look at site/index.html
+END
+    test ! -s out && sed -n 's/.* about \([0-9]*\) s left.*/\1/p' "$why" | tr '\n' ' ' |
+      awk -v whole=$(($(date +%s) - began)) '{ exit !(NF == 2 && $1 >= 4 && $1 <= 4*$2 + 3 && 2*$2 <= whole + 2) }'
+    result $? 'the progress of a report on a terminal'
+  fi
+fi
 echo "1..$n"

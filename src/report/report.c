@@ -385,6 +385,12 @@ static void add_message(struct nb_report_page *page, const struct nb_error *erro
   nb_append(page->message, sizeof page->message, "%s%s", page->message[0] ? "; " : "", error->text);
 }
 
+/* Removes what print_progress has written, so that a message begins a line. */
+static void remove_progress(void) {
+  if (isatty(STDERR_FILENO))
+    fputs("\r\033[K", stderr);
+}
+
 /* Runs one page, writes its tables, and draws its figure. */
 static enum nb_status run(const struct nb_call *call, struct nb_report *report, struct nb_report_page *page) {
   struct nb_outcome *outcome = &page->outcome;
@@ -393,6 +399,7 @@ static enum nb_status run(const struct nb_call *call, struct nb_report *report, 
   const double began = nb_cost_clock();
   snprintf(folder, sizeof folder, "%.3900s/%s", report->folder, page->name);
   nb_run_page(outcome, call, page->path, folder);
+  remove_progress();
   nb_print_errors(outcome, page->path);
   if (outcome->status > NB_FAILED)
     put_message(page);
@@ -455,8 +462,7 @@ static enum nb_status make(const struct nb_call *call, struct nb_report *report)
       add_message(page, &error), worst = nb_worse(worst, error.status);
     print_line(page);
   }
-  if (isatty(STDERR_FILENO))
-    fputs("\r\033[K", stderr);
+  remove_progress();
   if (write_index(report, &error))
     worst = nb_worse(worst, nb_print_plain_error(&error));
   printf("look at %s/index.html\n", report->folder);
