@@ -110,6 +110,54 @@ static void gross_sliding_is_part_of_dissipation(void) {
   }
 }
 
+/* Gross sliding in either direction, with t in units of alpha_max/V_N. From f = xi^(3/2) and xi'' = -(5/4) xi^(3/2) follow
+ * psi = psi1 - 2 chi (1 - xi'), so that d = psi1 t - 2 chi (t - xi) and psi2 = psi1 - 4 chi. Gross sliding dissipates
+ * (psi1^2 - psi2^2)/(5 chi). Without a shear force d = psi1 t. In `randall` the law itself reduces the force to the limit
+ * while the normal force decreases. */
+static void gross_sliding_of_every_law(void) {
+  static const char *const laws[] = {NULL, "linear", "mindlin", "mindlin_scaled", "randall", "none"};
+  enum { STEPS = 20000 };
+  for (int k = 0; k < 6; k++)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      struct impact_path path;
+      const double psi1 = 8 * sign, slides = k < 5, chi = chi28 * slides, psi2 = psi1 - 4 * sign * chi;
+      const int steps = k ? STEPS : 2000;
+      CU_ASSERT(k ? impact_law(&path, laws[k], 1.5, chi28, psi1, steps) : impact_exact(&path, chi28, psi1, steps));
+      CU_ASSERT(fabs(path.psi2 - psi2) < 1e-4);
+      if (k < 3 || k == 5) /* the others have micro-slip, which is not counted as gross sliding */
+        CU_ASSERT(fabs(path.slid - slides * (psi1 * psi1 - psi2 * psi2) / (5 * chi28)) < 1e-3);
+      CU_ASSERT_EQUAL(path.steps, steps);
+      for (int i = 2; i < steps; i += 2) {
+        const double t = IMPACT_DURATION * i / steps, xi = path.xi[i];
+        const bool right = fabs(path.f[i] - sign * slides * pow(xi, 1.5)) < 1e-6 &&
+                           ((k == 4 && i > steps / 2) || path.slides[i] == (k < 5)) &&
+                           fabs(path.d[i] - psi1 * t + 2 * sign * chi * (t - xi)) < 1e-3;
+        CU_ASSERT(right);
+        if (!right)
+          break;
+      }
+      impact_path_free(&path);
+    }
+}
+
+/* The spring of the law `linear` stores no energy at the end, so gross sliding dissipates all that is missing. A law has
+ * no preferred direction. */
+static void sliding_of_the_linear_law(void) {
+  for (double psi1 = 0.3; psi1 < 6; psi1 += 0.7) {
+    struct impact_path path, back;
+    CU_ASSERT(impact_law(&path, "linear", 1.5, chi28, psi1, 20000));
+    CU_ASSERT(fabs(path.slid - (psi1 * psi1 - path.psi2 * path.psi2) / (5 * chi28)) < 1e-4);
+    impact_path_free(&path);
+    static const char *const laws[] = {"linear", "mindlin", "mindlin_scaled", "randall"};
+    for (int k = 0; k < 4; k++) {
+      CU_ASSERT(impact_law(&path, laws[k], 1.5, chi28, psi1, 1000));
+      CU_ASSERT(impact_law(&back, laws[k], 1.5, chi28, -psi1, 1000));
+      CU_ASSERT(fabs(path.psi2 + back.psi2) < 1e-12 && fabs(path.slid - back.slid) < 1e-12);
+      impact_path_free(&path), impact_path_free(&back);
+    }
+  }
+}
+
 /* The mean of the restitution over angles of incidence from 0 to `to` degrees, in steps of `by` degrees, for mu = 0.12
  * [R89 sec. 5.4]. At 0 and 90 degrees the restitution is 1. */
 static double average(int by, int to) {
@@ -167,6 +215,8 @@ void suite_refs_impact(void) {
   CU_add_test(suite, "errors of simplified laws", errors_of_simplified_laws);
   CU_add_test(suite, "dissipation by gross sliding is a part of the total dissipation",
               gross_sliding_is_part_of_dissipation);
+  CU_ADD_TEST(suite, gross_sliding_of_every_law);
+  CU_ADD_TEST(suite, sliding_of_the_linear_law);
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
   CU_ADD_TEST(suite, angle_of_incidence_with_spin);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);

@@ -175,6 +175,22 @@ static void fracc(void) {
       {" velocity 0 0.2\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), NULL},
       {" velocity 0 0.4\n" FOUR("3", "1.8", "-1.8", "-3"), REACH},
       {" velocity 0 0.05\n" FOUR("3", "1.8", "-1.8", "-3"), NULL},
+      /* x remains within 0.1, and y within 0.3 to 0.4: walls may end beyond that */
+      {" velocity 0 0.2\nwall n -0.11 1.8 to 9 1.8 m\nwall e 1.8 -0.8 to 1.8 0.8 m\nwall w -1.8 9 to -1.8 -9 m\n"
+       "wall s 0.11 -1.8 to -9 -1.8 m",
+       NULL},
+      {"\nwall n -0.09 1.8 to 9 1.8 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1.8 to 9 -1.8 "
+       "m",
+       REACH},
+      {"\nwall n -9 1.8 to 9 1.8 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s 0.09 -1.8 to -9 -1.8 "
+       "m",
+       REACH},
+      {" velocity 0 0.2\nwall n -9 1.8 to 9 1.8 m\nwall e 1.8 -0.01 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 "
+       "-1.8 to 9 -1.8 m",
+       REACH},
+      {" velocity 0 0.2\nwall n -9 1.8 to 9 1.8 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 9 to -1.8 0.01 m\nwall s -9 "
+       "-1.8 to 9 -1.8 m",
+       REACH},
       {"\nwall n -9 1 to 9 1 m\nwall e 1.8 -9 to 1.8 9 o\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m",
        "walls of one stiffness"},
       {"\nwall n -9 1 to 9 1 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m",
@@ -202,6 +218,9 @@ static void fracc_touch(void) {
   PARTS("fracc_touch",
         "material m density (5/(4*pi)) kn 20\ndisc 3 2 radius 2 m velocity 3 0\ndisc 7.1 2 radius 2 m\n@",
         {SHARE "4\n", TOUCH}, {"step 0.01\nstage s\ncycles 50\n", EQUAL});
+  PARTS("fracc_touch",
+        "material m density (5/(4*pi)) kn 20\ndisc 3 2 radius 2 m velocity 3 0\ndisc 7.1 2 radius 2 m@\n" SHARE "5\n",
+        {"", NULL}, {" velocity 0 0.01", EQUAL}, {" velocity 0 -0.01", EQUAL});
   PARTS("fracc_touch", STRIKE "disc 99 9 radius 2 m\n" SHARE "5\n", {"7.1", EQUAL});
 #undef TOUCH
 #undef EQUAL
@@ -791,6 +810,13 @@ static void filling(void) {
       "else stop\nregion C circle 3 4 radius 5\nregion X circle 3.1 4 radius 5\nregion Y circle 3 4.1 radius 5\n"
       "region R circle 3 4 radius 5.1\nregion B box -2 -1 to 8 9\nstep 1\nrecord C.porosity\nstage s\ncycles 1\n",
       0, {"C.porosity", 1 - 1. / 25});
+  /* Only one disc fits into the circle; the two smaller ones do not, and are skipped. */
+  VALUES("filling",
+         "material m density 1 kn 9\nnormal linear\ngrading g 4 1 3 2\nfill discs circle 3 4 radius 5 g m seed 3 "
+         "attempts 99 else skip\nregion C circle 3 4 radius 5\nmonitor G grading g\nmonitor S grading g radius 3\n"
+         "monitor L grading g radius 4\nstep 1\nrecord C.porosity\nstage s\ncycles 1\n",
+         0, {"C.porosity", 1 - 16. / 25}, {"G.wanted", 3}, {"G.placed", 1}, {"G.dropped", 2}, {"S.wanted", 2},
+         {"S.placed", 0}, {"S.dropped", 2}, {"L.wanted", 1}, {"L.placed", 1}, {"L.dropped", 0});
   PARTS(
       "filling", "@", {FILLED(""), NULL}, {FILLED("disc 90 90 radius 1 m\n"), "one `fill` and no other particles"},
       {FILLED("fill discs box 20 2 to 30 8 g m seed 4 attempts 999 else stop\n"), "one `fill` and no other particles"});

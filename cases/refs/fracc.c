@@ -17,7 +17,7 @@
  *
  * Returns step.fracc max, and D.x max for the disc monitored as D, from the recursion.
  * Accepts one disc, two walls normal to x that touch it, two normal to y that may or may not touch it, both pairs at
- * equal distances from the origin, linear springs, no shear, no damping, `step F of single-contact`, one stage, and a
+ * equal distances from the origin and not ending beside the disc, linear springs, no shear, no damping, `step F of single-contact`, one stage, and a
  * motion that neither opens nor closes a contact. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -36,8 +36,9 @@ static double fracc(double h, struct position before, struct position now) {
 }
 
 /* Distances of two walls along y and of two along x from the origin; NAN: they are not at equal distances on both sides.
+ * ends[0], ends[1]: how far the walls along y, and those along x, extend at least in both directions from the origin.
  * False: a wall has another stiffness than the first one. */
-static bool find_walls(const struct nb_scene *scene, double *beside, double *above) {
+static bool find_walls(const struct nb_scene *scene, double *beside, double *above, double ends[2]) {
   const int material = scene->particles[0].material;
   double low[2] = {0}, high[2] = {0}; /* x of the walls along y, y of the walls along x */
   bool same = true;
@@ -46,6 +47,9 @@ static bool find_walls(const struct nb_scene *scene, double *beside, double *abo
     const int axis = wall->ex == 0 ? 0 : 1;
     const double place = axis == 0 ? wall->x : wall->ey == 0 ? wall->y : NAN;
     *(place < 0 ? &low[axis] : &high[axis]) = place;
+    const double middle = axis == 0 ? wall->y : wall->x, sign = axis == 0 ? wall->ey : wall->ex;
+    const double from = middle + sign * wall->h1, to = middle + sign * wall->h2;
+    ends[axis] = fmin(ends[axis], fmin(-fmin(from, to), fmax(from, to)));
     same = same &&
            matter_pair(scene, material, wall->material).kn == matter_pair(scene, material, scene->walls[0].material).kn;
   }
@@ -64,8 +68,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
-  double beside, above; /* distances of the walls along y and along x from the origin */
-  if (!find_walls(scene, &beside, &above))
+  double beside, above, ends[2] = {INFINITY, INFINITY};
+  if (!find_walls(scene, &beside, &above, ends))
     return nb_error_set(error, NB_BAD_USE, "the reference `fracc` is for walls of one stiffness");
   const double hy = above < disc->radius ? h : 0;
   struct position before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
@@ -77,7 +81,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     largest_x = fmax(largest_x, now.x), largest = fmax(largest, fracc(h, before, now));
     reach_x = fmax(reach_x, fabs(now.x)), reach_y = fmax(reach_y, fabs(now.y));
   }
-  if (!(reach_x < disc->radius - beside) || !(reach_y < fabs(disc->radius - above)))
+  if (!(reach_x < disc->radius - beside) || !(reach_y < fabs(disc->radius - above)) || reach_y > ends[0] ||
+      reach_x > ends[1])
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `fracc` is for two walls along y that the disc touches all the time and two along "

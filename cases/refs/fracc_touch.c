@@ -23,7 +23,7 @@
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *a = &scene->particles[0], *b = &scene->particles[1];
   if (scene->particle_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
-      a->radius > b->radius || a->vy != 0 || a->y != b->y || scene->step.kind != NB_STEP_SINGLE_CONTACT)
+      a->radius > b->radius || a->vy != 0 || b->vy != 0 || a->y != b->y || scene->step.kind != NB_STEP_SINGLE_CONTACT)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `fracc_touch` is for two equal discs, the first of which strikes the second "
                         "head-on along x, and for `step F of single-contact`");
