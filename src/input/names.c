@@ -824,7 +824,7 @@ static bool parts_hint(char *hint, const struct nb_scene *scene, const char *tex
 }
 
 /* Writes the hint for a text that is not the name of a quantity. */
-static char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
+static void hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = monitor_named(scene, text, strcspn(text, "."));
   char stem[2 * NB_NAME_SIZE]; /* `energy` of `energy.potential` */
@@ -835,17 +835,18 @@ static char *hint_of(char *hint, const struct nb_scene *scene, const char *text)
     offer_names(&guess, scene, w), offer_names(&of_stem, scene, w);
   if (box_note(hint, scene, text) || parts_hint(hint, scene, text, owner, true) ||
       near_hint(hint, scene, &guess, owner))
-    return hint;
+    return;
   if (parts_hint(hint, scene, text, owner, false))
-    return hint;
-  if (owner >= 0)
-    return owned_by_hint(hint, scene, text, owner), hint;
+    return;
+  if (owner >= 0) {
+    owned_by_hint(hint, scene, text, owner);
+    return;
+  }
   const bool found = !scene->contact_test &&
                      (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
                       (same_owner(&of_stem) && nb_guess_hint(&of_stem, hint)) || owner_hint(hint, scene, stem));
   if (!found)
     unknown_hint(hint, scene, text);
-  return hint;
 }
 
 /* Replaces the last part of a name, a word of another program, by the word of this program, and writes the result to
