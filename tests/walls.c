@@ -45,7 +45,9 @@ static void rotation_is_exact(void) {
     CU_ASSERT_DOUBLE_EQUAL(end.x, x + 7 * cos(angle) - 4 * sin(angle), 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(end.y, y + 7 * sin(angle) + 4 * cos(angle), 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "W.x"), x, 1e-8);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "W.y"), y, 1e-8);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "W.angle"), angle, 1e-8);
+    CU_ASSERT_EQUAL(written_now(model, "W.spin"), s == 0 ? -0.75 : 0.5);
   }
   nb_model_free(model);
   written_free(&it);
