@@ -17,8 +17,8 @@
  *
  * Returns step.fracc max, and D.x max for the disc monitored as D, from the recursion.
  * Accepts one disc, two walls normal to x that touch it, two normal to y that may or may not touch it, both pairs at
- * equal distances from the origin and not ending beside the disc, linear springs, no shear, no damping, `step F of single-contact`, one stage, and a
- * motion that neither opens nor closes a contact. Error: rounding.
+ * equal distances from the origin and not ending beside the disc, linear springs, no shear, no damping, `step F of
+ * single-contact`, one stage, and a motion that neither opens nor closes a contact. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
