@@ -357,7 +357,7 @@ static void contacts_without_force(void) {
 }
 
 /* An overlap above 7 % of the smaller diameter at the start. The warning has the line of the particle with the larger
- * number. */
+ * number, and names the deepest contact. */
 static void overlaps_at_the_start_above_the_limit(void) {
 #define TOO_MUCH                                                                                                       \
   "diameter; above 7 % real particles deform plastically, and the force may be very large: move the particle away, "   \
@@ -370,6 +370,10 @@ static void overlaps_at_the_start_above_the_limit(void) {
        "5: particle 2 overlaps particle 1 (line 4) too much at the start: by 0.3, 15 % of the smaller " TOO_MUCH},
       {"material m density 1 kn 1\ndisc 9 9 radius 1 m\ndisc 0 1.4 radius 2 m\nwall w -9 0 to 9 0 m",
        "5: particle 2 overlaps wall `w` (line 6) too much at the start: by 0.6, 15 % of the " TOO_MUCH},
+      /* the deepest of three by the ratio, not the first, the last or the longest overlap */
+      {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 1.7 0 radius 1 m\ndisc 3 0 radius 0.5 m\n"
+       "disc 4.4 0 radius 1 m",
+       "6: particle 3 overlaps particle 2 (line 5) too much at the start: by 0.2, 20 % of the smaller " TOO_MUCH},
       {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.861 0 radius 2 m", NULL},
       {"material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.859 0 radius 2 m", "by 0.141, 7"},
   };
