@@ -140,6 +140,9 @@ stage     two
   cell    strain -2 1/s 0 1/s c12 0.25 1/s c21 0.25 1/s
   ramp    material glass friction 0.2
   cycles  8
+stage     three
+  cell    strain 0 1/s 0.5 1/s
+  cycles  2
 ```
 END
 explained spheres 'a page with spheres in a cell' <<'END'
@@ -184,8 +187,12 @@ stages
     line 17: cycles 8
     line 15: xx -2 1/s: compression in x
     line 15: strain rate xx -2, c12 0.25, c21 0.25, yy 0 1/s: pure shear, the engineering shear rate is twice c12, 0.5 1/s; simple shear at this rate is `c12 0.5 1/s`
+  three, 2 cycles
+    line 19: cell strain 0 1/s 0.5 1/s
+    line 20: cycles 2
+    line 19: yy +0.5 1/s: extension in y
 cost
-  15 cycles, 0 contact updates, T s
+  17 cycles, 0 contact updates, T s
   a cycle with recording takes T us, measured just now; reading, start, reference, tables and verdict T s
 spheres.md:4: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which a collision without damping depends: the exact law is `shear mindlin_deresiewicz`
 END

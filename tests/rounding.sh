@@ -55,6 +55,19 @@ run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >part
   grep -qx '  with one part of the cycle rounded up and down, bits of: B.x expected 1441.6 within 1e-9 .v t.' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
   test "$(sed 's/^ *[0-9]*  //' parts | sort | uniq -d | wc -l)" -eq 0
 result $? 'parts of the cycle'
+# The passes of two pairs of materials, each once. Nothing touches the wall.
+sed 's/^disc 0 0/material b density 1 kn 2\n&/; s/^step 0.5/wall w -9000 -900 to 9000 -900 b\n&/' free.md >wall.md
+run 0 check wall.md --rounding parts && sed -n '/with one part/,$s/^    \([0-9]*  \)/\1/p' "$why" | sed 's/^4[0-7]/42/' >parts
+diff -u - parts >"$why" <<'END'
+42  motion
+53  search
+53  stability check
+53  disc-disc, overlap
+53  normal linear
+53  resolve, normal
+53  disc-wall, overlap
+END
+result $? 'all parts of a page with a wall of another material'
 sed 's/^stage s/boundary circle 0 0 radius 9000\nstage s/' free.md >ring.md
 run 0 check ring.md --rounding parts && said '    53  boundary takes in particles'
 result $? 'parts before the motion'
