@@ -330,6 +330,143 @@ force passes at the start of the run, for each pair of materials
 END
 result $? 'gravity, a boundary and three kinds of damping'
 
+# Choices among several stages, motions and conditions. A feature of one stage is used, also if a later stage ends it. The strain of the
+# box replaces the motions of its four walls, not those of the walls before and after it. A shear rate c12 + c21 = 1/2 1/s reaches an
+# engineering shear strain of 10 % in 0.2 s, 15 % in 0.3 s; 3e-3 per cycle reach 10 % in 34 cycles.
+cat >several.md <<'END'
+```scene
+units     none
+material  m  density 1  kn 3  ks 2
+normal    linear
+shear     linear
+wall      before  -9 -9 to -9 99  m
+box       0 0 to 40 60  m
+wall      after  90 -9 to 90 99  m
+disc      3 3  radius 1  m
+disc      9 9  radius 1  m
+step      0.1
+record    time
+stage     a
+  record  every 3 cycles
+  damping ratio 0.1
+  damping mass 2
+  material m friction 0.5
+  wall    before spin 1
+  wall    south velocity 0 1
+  wall    east velocity 2 0
+  wall    north velocity 0 3
+  wall    west velocity 4 0
+  wall    after velocity 0 -5
+  cycles  1
+stage     b
+  damping none
+  cycles  2
+stage     c
+  record  every 1 cycles
+  box     strain 0 1
+  cycles  3
+stage     d
+  cycles  4
+stage     e
+  record  every 4 cycles
+  wall    before spin 0
+  cycles  5
+stage     f
+  record  every 5 cycles
+  cycles  6
+```
+END
+"$nineball" explain several.md 2>"$why" | sed -n '/^not used/{p;n;p;}; /^stages/,/^cost/{/^cost/!p;}' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+not used
+  balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions
+stages
+  a, 1 cycles
+    line 14: record every 3 cycles
+    line 15: damping ratio 0.1
+    line 16: damping mass 2
+    line 17: material m friction 0.5
+    line 18: wall before spin 1
+    line 19: wall south velocity 0 1
+    line 20: wall east velocity 2 0
+    line 21: wall north velocity 0 3
+    line 22: wall west velocity 4 0
+    line 23: wall after velocity 0 -5
+    line 24: cycles 1
+  b, 2 cycles
+    line 26: damping none
+    line 27: cycles 2
+    a row every cycle: the `record` of stage `a` (line 14) holds only there
+    goes on from stage `a`, line 18: wall before spin 1
+    goes on from stage `a`, line 19: wall south velocity 0 1
+    goes on from stage `a`, line 20: wall east velocity 2 0
+    goes on from stage `a`, line 21: wall north velocity 0 3
+    goes on from stage `a`, line 22: wall west velocity 4 0
+    goes on from stage `a`, line 23: wall after velocity 0 -5
+  c, 3 cycles
+    line 29: record every 1 cycles
+    line 30: box strain 0 1
+    line 31: cycles 3
+    goes on from stage `a`, line 18: wall before spin 1
+    goes on from stage `a`, line 23: wall after velocity 0 -5
+    line 30: yy +1: extension in y
+  d, 4 cycles
+    line 33: cycles 4
+    goes on from stage `c`, line 30: box strain 0 1
+    goes on from stage `a`, line 18: wall before spin 1
+    goes on from stage `a`, line 23: wall after velocity 0 -5
+  e, 5 cycles
+    line 35: record every 4 cycles
+    line 36: wall before spin 0
+    line 37: cycles 5
+    goes on from stage `c`, line 30: box strain 0 1
+    goes on from stage `a`, line 23: wall after velocity 0 -5
+  f, 6 cycles
+    line 39: record every 5 cycles
+    line 40: cycles 6
+    goes on from stage `c`, line 30: box strain 0 1
+    goes on from stage `a`, line 23: wall after velocity 0 -5
+END
+result $? 'stages of which some have motions, strains, damping and records'
+cat >until.md <<'END'
+```scene
+units     si
+material  m  density 1 kg/m3  kn 3 N/m
+periodic  cell 0 m 0 m to 9 m 9 m
+disc      3 m 3 m  radius 1 m  m
+region    A  all
+step      1 us
+record    time
+stage     a
+  cell    strain 0.1 1/s 0 1/s c12 0.3 1/s c21 0.2 1/s
+  until   A.strain.xx above 7 % and cell.strain.xy above 10 % and A.strain.yy above 9 % and A.strain.xy above 15 % at most 9 cycles
+stage     b
+  cell    strain 0 per cycle 0 per cycle c12 -3e-3 per cycle
+  until   cell.strain.xy below -10 % at most 9 cycles
+```
+END
+"$nineball" explain until.md 2>"$why" | sed -n '/^stages/,/^cost/{/^cost/!p;}' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+stages
+  a, 1 to 9 cycles: the condition on line 11 decides
+    line 10: cell strain 0.1 1/s 0 1/s c12 0.3 1/s c21 0.2 1/s
+    line 11: until A.strain.xx above 7 % and cell.strain.xy above 10 % and A.strain.yy above 9 % and A.strain.xy above 15 % at most 9 cycles
+    line 10: xx +0.1 1/s: extension in x
+    line 10: strain rate xx 0.1, c12 0.3, c21 0.2, yy 0 1/s: shear with rotation, the engineering shear rate is 0.5 1/s; xy of a stress becomes negative
+    line 11: `cell.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 0.2 s`
+    line 11: `A.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of 15 % within this stage write `stage.time above 0.3 s`
+  b, 1 to 9 cycles: the condition on line 14 decides
+    line 13: cell strain 0 per cycle 0 per cycle c12 -3e-3 per cycle
+    line 14: until cell.strain.xy below -10 % at most 9 cycles
+    line 13: strain rate xx 0, c12 -0.003, c21 0, yy 0 per cycle: simple shear, the engineering shear rate is -0.003 per cycle; xy of a stress becomes positive
+    line 14: `cell.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of -10 % within this stage write `cycles 34`
+END
+result $? 'conditions on shear strains, among others'
+for rate in 'boundary strain' 'affine strain'; do
+  printf '```scene\nunits si\nmaterial m density 1 kg/m3 kn 3 N/m\ndisc 3 m 3 m radius 1 m m\nregion A all\nboundary circle 0 m 0 m radius 9 m\nstep 1 us\nrecord time\nstage a\n%s 0 1/s 0 1/s c21 0.4 1/s\nuntil A.strain.xy above 10 %% at most 9 cycles\n```\n' "$rate" >shear.md
+  "$nineball" explain shear.md >out 2>"$why"
+  test "$(grep -c 'half the engineering' out)" -eq 1 && grep -qx '    line 11: `A.strain.xy` .* strain of 10 % within this stage write `stage.time above 0.25 s`' out
+  result $? "a condition on a shear strain: $rate"
+done
+
 # Two materials with the moduli E_1, E_2: 1/E* is the sum of (1 - nu^2)/E, 1/G* that of 2 (2 - nu) (1 + nu)/E.
 cat >elastic.md <<'END'
 ```contact-test

@@ -357,12 +357,16 @@ material m density 1 kn 100
 disc 0 0 radius 1 m velocity 1 0
 step 1e-6
 record time
+stage before
+cycles 400000
 stage long
-cycles 1000001
+cycles 599990
+stage after
+cycles 10
 ```
 END
 run 0 run rows.md -o rows
-said 'rows.md:7: warning: table.tsv has 1000002 rows, most of them of stage `long`: write `record every 10 cycles` in it'
+said 'rows.md:9: warning: table.tsv has 1000001 rows, most of them of stage `long`: write `record every 10 cycles` in it'
 sed 's/^stage long/&\nrecord every 10 cycles/' rows.md >fewer.md
 run 0 run fewer.md -o fewer
 grep 'warning: table' said >>why
@@ -939,6 +943,19 @@ done
 sed 's/step 0.5/step 0.2 of stable/; s/^until cycle above 20.*/step 0.25\nuntil time above 9 at most 70 cycles/' clock.md >behind.md
 run 0 explain behind.md
 out '  more, about '
+sed 's/^stage fall/&\nmaterial m kn 2/; s/^until cycle above 20.*/step 0.2 of single-contact\nuntil time above 9 at most 70 cycles/' clock.md >changed.md
+run 0 explain changed.md
+out '  on, 6 cycles'
+out '  more, about '
+# Of several conditions the last one to hold ends the stage; one that reads more than the clock leaves bounds.
+sed 's/cycle above 20 and time above 0/time above 0 and cycle above 20/' clock.md >order.md
+run 0 explain order.md
+out '  more, 6 cycles'
+for conditions in 'D.x above 3 and cycle above 25' 'cycle above 25 and D.x above 3'; do
+  sed "s/D.x above 3/$conditions/" clock.md >mixed.md
+  run 0 explain mixed.md
+  out '  some, 5 to 10 cycles: the condition on line 19 decides'
+done
 sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
 run 0 run fixed.md
 out '  21 cycles, '

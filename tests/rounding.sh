@@ -86,6 +86,21 @@ sed 's/^disc 8 100 radius 1 a velocity 0.7 0/sweep v 0.5 0.7\ndisc 8 100 radius 
 sed -i 's/^B.x above A.x/B.x above A.x\nB.x decreases with v/; s/decreases/increases/' swept.md
 run 0 check swept.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"
 result $? 'the run with the fewest bits'
+sed 's/0.5 0.7$/0.5 0.7 1/' swept.md >three.md
+run 0 check three.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"
+result $? 'the run with the fewest bits is not the last one'
+# Each cycle adds 0.5 + 5e-14 to x > 2^13, whose unit in the last place is 2^-39: only rounding up is not the same as rounding to
+# nearest, by one unit in each of 2^12 cycles. If the disc moves to the left, only rounding down and to zero differ.
+for motion in '9000 1.0000000000001 11048' '12000 -1.0000000000001 9952'; do
+  set -- $motion
+  sed "s/^disc 8 100 .*/disc $1 100 radius 1 a velocity $2 0/; s/expected 1441.6 within 1e-9/expected $3 within 1e-3/; /^B.x above/d" free.md >one-mode.md
+  run 0 check one-mode.md --rounding parts && test "$(bits 2)" -ge 40 && test "$(bits 2)" -le 42 && grep -q '^    4[0-2]  motion$' "$why"
+  result $? "the mode with the fewest bits: velocity $2"
+done
+for pages in 'tight.md free.md' 'free.md tight.md'; do
+  run 1 check $pages --rounding all && test "$(grep -c 'bits that do not depend' "$why")" -eq 2
+  result $? "the status of two pages: $pages"
+done
 
 # A residual, and a value that is zero within its tolerance, have no bits.
 {
