@@ -196,10 +196,49 @@ static void path_randall(void) {
 #undef AT
 }
 
+/* The contact slides at a slip of mu kappa alpha, and the force is -T* at the slip -u after u [R89 3.95]. */
+static void paths_that_randall_does_not_cover(void) {
+  static const char *const covered = "overlap and slip, or normal force and slip, that change in turns, without gross "
+                                     "sliding, and without unloading to -T*, where T* is the shear force at which "
+                                     "unloading began";
+  const double limit = mindlin_limit() * 0.04, u = limit / 2;
+  const struct {
+    const char *segments;
+    double slip, back;
+    bool is_covered;
+  } rows[] = {
+      {"segment q slip to %.17g in 1 step\nsegment r overlap to 0.05 in 2 steps\n", u, 0, true},
+      {"segment q overlap to 0.05 slip to %.17g in 2 steps\n", u, 0, false},
+      {"segment q overlap to 0.03 slip by %.17g in 1 step\n", -u / 2, 0, false},
+      {"segment q slip to %.17g in 1 step\nsegment r normal to 0.09 in 2 steps\n", u, 0, true},
+      {"segment q normal to 0.09 slip by %.17g in 1 step\n", u, 0, false},
+      {"segment q slip to %.17g in 1 step\nsegment r shear to 0.001 hold normal in 2 steps\n", u, 0, false},
+      {"segment q slip to %.17g in 1 step\nsegment r overlap to 0 in 2 steps\n", 0, 0, false},
+      {"segment q slip to %.17g in 3 steps\n", 0.999 * limit, 0, true},
+      {"segment q slip to %.17g in 3 steps\n", 1.001 * limit, 0, false},
+      {"segment q slip to %.17g in 2 steps\nsegment r slip to %.17g in 3 steps\n", u, -0.999 * u, true},
+      {"segment q slip to %.17g in 2 steps\nsegment r slip to %.17g in 3 steps\n", u, -1.001 * u, false},
+      /* the limit decreases with the normal force */
+      {"segment q slip to %.17g in 1 step\nsegment r overlap to 0.02 in 2 steps\n", 0.4 * limit, 0, true},
+      {"segment q slip to %.17g in 1 step\nsegment r overlap to 0.02 in 2 steps\n", 0.6 * limit, 0, false},
+      {"segment q slip to %.17g in 2 steps\nsegment r slip to %.17g in 3 steps\nsegment s overlap to 0.039 in 1 step\n",
+       u, -0.9 * u, true},
+      {"segment q slip to %.17g in 2 steps\nsegment r slip to %.17g in 3 steps\nsegment s overlap to 0.03 in 1 step\n",
+       u, -0.9 * u, false},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char segments[512], page[1024];
+    snprintf(segments, sizeof segments, rows[k].segments, rows[k].slip, rows[k].back);
+    snprintf(page, sizeof page, TOUCHES("randall", "%s"), segments);
+    refs_check_message("path_randall", page, rows[k].is_covered ? NULL : covered);
+  }
+}
+
 void suite_refs_paths(void) {
   CU_pSuite suite = CU_add_suite("refs_paths", NULL, refs_released);
   CU_ADD_TEST(suite, path_no_slip);
   CU_ADD_TEST(suite, path_springs);
   CU_ADD_TEST(suite, forces_above_the_limit);
   CU_ADD_TEST(suite, path_randall);
+  CU_ADD_TEST(suite, paths_that_randall_does_not_cover);
 }
