@@ -153,6 +153,15 @@ static void displacement_in_a_step(void) {
     CU_ASSERT(!cases[k].broken || has(&error, "in cycle 1, at time 0.5, it moved by 1"));
     CU_ASSERT(!cases[k].broken || has(&error, "its radius, 1:"));
   }
+  /* Of several particles the first that moves too far is named. */
+  struct nb_error error;
+  unsigned long done;
+  CU_ASSERT_EQUAL(outcome(&error,
+                          HEAD "disc 9 0 radius 1 m\ndisc 90 0 radius 1 m velocity 2.2 0\n"
+                               "disc 0 90 radius 1 m velocity 0 2.4\ndisc 0 9 radius 1 m",
+                          2, &done),
+                  NB_BROKEN);
+  CU_ASSERT(has(&error, "particle 2 (line 7): in cycle 1, at time 0.5, it moved by 1.1 in one step of 0.5."));
 }
 
 /* A strained cell moves images far from its centre by more than a radius in a step. This is allowed, because all images
@@ -210,6 +219,14 @@ static void rotation_in_a_step(void) {
   CU_ASSERT(has(&error, "smallest radius, 0.5:"));
   CU_ASSERT_EQUAL(outcome(&error, BLADE "25.132741228718345", 2, &done), NB_BROKEN); /* two revolutions in a step */
   CU_ASSERT_EQUAL(outcome(&error, HEAD "disc 90 0 radius 3 m fixed\nwall w -2 0 to 2 0 m spin 99", 2, &done), NB_OK);
+  /* Of several walls the first that turns too far is named. */
+  CU_ASSERT_EQUAL(outcome(&error,
+                          HEAD
+                          "disc 90 0 radius 3 m\ndisc 80 0 radius 0.5 m\nwall rest -2 9 to 2 9 m\n"
+                          "wall blade -2 0 to 2 0 m spin 3\nwall fan -2 40 to 2 40 m spin 4\nwall v 0 60 to 2 60 m",
+                          2, &done),
+                  NB_BROKEN);
+  CU_ASSERT(has(&error, "wall `blade` (line 9): in cycle 1, at time 0.5, it turned by 1.5 rad"));
 }
 
 /* A fixed disc moves by 1/16 in each step into a disc too heavy to move: the overlap is the smaller radius after 16
@@ -911,13 +928,18 @@ static void resolution_of_coordinates(void) {
     }
 }
 
-/* Three discs in a row with overlaps of 700 x 2^-29: the mean counts, not the sum. */
+/* Three discs in a row with overlaps of 700 x 2^-29: the mean counts, not the sum. Of the first particles of the two
+ * contacts, the one farthest from the origin is named, in either order of the row. */
 static void resolution_and_mean_overlap(void) {
-  char text[2000], statements[500];
-  snprintf(statements, sizeof statements,
-           "material m density 1 kn 1\ndisc 8388608 0 radius 1 m\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
-           8388610 - 700. / 536870912, 8388612 - 1400. / 536870912);
-  CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 has"));
+  const double x[] = {8388608, 8388610 - 700. / 536870912, 8388612 - 1400. / 536870912};
+  for (int reverse = 0; reverse < 2; reverse++) {
+    char text[2000], statements[500];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
+             x[reverse ? 2 : 0], x[1], x[reverse ? 0 : 2]);
+    CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), reverse ? "4: particle 1: its coordinate 8.38861e+06 has"
+                                                                    : "5: particle 2: its coordinate 8.38861e+06 has"));
+  }
 }
 
 /* The warning is given once in a run: not again when another particle is farther from the origin. Here the ulp is

@@ -194,6 +194,9 @@ static void warnings_of_ends(void) {
       {"5", "time above 0.1 and unbalanced.max below 1  at most 4 cycles",
        "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0; add a condition such as "
        "`and contacts above 0`"},
+      {"5", "unbalanced.max below 1 and time above 0.1  at most 4 cycles",
+       "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0; add a condition such as "
+       "`and contacts above 0`"},
       {"1.5", "unbalanced.max above 0.5  at most 4 cycles",
        "stage `two` ended in cycle 1, because its condition was met before the stage began: unbalanced.max is 1, above "
        "0.5"},
@@ -206,6 +209,9 @@ static void warnings_of_ends(void) {
        "A.x is "
        "5.3, "
        "below 6; `time` counts from the start of the run, `stage.time` from the start of the stage"},
+      {"5", "A.x below 6 and time above 0.1  at most 4 cycles",
+       "stage `two` ended in cycle 1, because its condition was met before the stage began: A.x is 5.3, below 6, time "
+       "is 0.3, above 0.1; `time` counts from the start of the run, `stage.time` from the start of the stage"},
       {"5", "time above 0.25  at most 4 cycles", NULL}, /* met in the first cycle, but not before */
       {"5", "time above 0.1 and A.x above 5.25  at most 4 cycles", NULL},
       {"5", "time above 0.1  every 2 cycles  at most 4 cycles",
@@ -240,7 +246,7 @@ static void warnings_of_regions(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
       "disc %s 0 radius 1 m velocity 1 0\ndisc 0 50 radius 1 m velocity -1 0\nmonitor porosity disc 3\nstep 0.1\n"
-      "region A circle %s\nrecord %s time\nstage one\n"
+      "region A circle %s\nrecord time %s porosity.y\nstage one\n"
       "cycles 2\nstage two\ncycles 2";
   static const struct {
     const char *x, *region, *column, *warning;
@@ -255,6 +261,7 @@ static void warnings_of_regions(void) {
        "region `A` has no contact: `A.stress.xx` depends on contacts, and there are none at the end of stage `one`"},
       {"5", "5 0 radius 2", "A.normal.mean",
        "region `A` has no contact: `A.normal.mean` depends on contacts, and there are none at the end of stage `one`"},
+      {"1.5", "1 0 radius 60", "A.stress.xx", NULL}, /* the last disc inside has no contact, the others have */
       {"5", "5 0 radius 2", "A.porosity", NULL},
       {"5", "5 0 radius 2", "A.contacts", NULL},
       {"1", "0 0 radius 2", "A.stress.xx", NULL},

@@ -225,23 +225,32 @@ static void an_aborted_cycle_has_no_snapshot(void) {
  * not met has the value 0. */
 static void waits_for_contacts_in_vain(void) {
   static const struct {
-    double x;              /* of the disc; it touches the wall at 0 if this is below 1 */
+    const char *disc;      /* its position; it touches wall w if x is below 1, and wall v if y is below -8 */
     const char *condition; /* never met */
     bool asked;
-  } rows[] = {{3, "contacts above 0", true},       {3, "C.normal above 1", true},
-              {3, "M.stress.xx below -1", true},   {3, "time above 0 and M.stress.xx above 5", true},
-              {3, "D.x above 10", false},          {3, "time above 100 and contacts below 1", false},
-              {0.9, "M.stress.xy above 1", false}, {0.9, "D.x above 10", false}};
+  } rows[] = {
+      {"3 0", "contacts above 0", true},
+      {"3 0", "C.normal above 1", true},
+      {"3 0", "M.stress.xx below -1", true},
+      {"3 0", "time above 0 and M.stress.xx above 5", true},
+      {"3 0", "M.stress.xx above 5 and D.x above 10", true},
+      {"3 0", "D.x above 10", false},
+      {"3 0", "time above 100 and contacts below 1", false},
+      {"0.9 0", "M.stress.xy above 1", false},
+      {"0.9 0", "D.x above 10", false},
+      {"1.05 -8.1", "C.normal above 1", false}, /* the contact with w is listed without a force; v exerts one in y */
+  };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
     struct nb_error error = {0};
     words_add(&page,
-              "units none\nmaterial m density 1 kn 1\nwall w 0 -9 to 0 9 m\ndisc %g 0 radius 1 m\nmonitor D disc 1\n"
-              "monitor C disc 1 with wall w\nregion M all\nstep 1e-3\nrecord time\nstage s\n"
+              "units none\nmaterial m density 1 kn 1\nwall w 0 -9 to 0 9 m\nwall v -9 -9 to 9 -9 m\n"
+              "disc %s radius 1 m\nmonitor D disc 1\nmonitor C disc 1 with wall w\nregion M all\nstep 1e-3\nrecord "
+              "time\nstage s\n"
               "until %s at most 2 cycles\n",
-              rows[k].x, rows[k].condition);
+              rows[k].disc, rows[k].condition);
     written_scene(&it, &page);
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "did not end within 2 cycles"));
