@@ -1111,7 +1111,7 @@ done
 
 # A search on a terminal writes its progress over one line, as a fraction of the budget, which is the time so far, and the rest of the
 # budget: P % of 400 s are 4 P s. It removes the line at its end. The step may be 128 times as long, the longest that is tried. The run of
-# the page takes more than a second, so it is not timed again.
+# the page takes more than a second, so it is not timed again: 2.6 s or more by the cost of a cycle, which may be measured too large.
 cat >slow.md <<'END'
 ```scene
 units none
@@ -1128,7 +1128,7 @@ cycles $n
 ```
 END
 if command -v script >/dev/null; then
-  cycles=$("$nineball" explain slow.md | awk '/^  a cycle with recording takes/ { n = 1048576; while (n * $6 < 1.3e6) n *= 2; printf "%d", n }')
+  cycles=$("$nineball" explain slow.md | awk '/^  a cycle with recording takes/ { n = 1048576; while (n * $6 < 2.6e6) n *= 2; printf "%d", n }')
   script -qec "'$nineball' advise slow.md --set n=$cycles --quantity D.x --within 1 --budget 400 -o slow --trust" /dev/null </dev/null 2>&1 |
     tr '\r' '\n' >"$why"
   awk -v clear="$(printf '\033[K')" '

@@ -5,33 +5,21 @@
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
-cd "${srcdir:-.}" || exit 1
-case " ${NINEBALL_SKIP:-} " in
-*' hacking '*)
-  echo "1..0 # SKIP in NINEBALL_SKIP" # as in tests/tap
-  exit 0
-  ;;
-esac
+. "${srcdir:-.}/tests/tap"
 command -v automake >/dev/null || {
   echo "1..0 # SKIP automake is missing; it is needed when a list of build-aux/lists.mk changes"
   exit 0
 }
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
 tree=$work/tree
 unset MAKEFLAGS MFLAGS MAKELEVEL srcdir # of the make that runs this test
 
-n=0
-result() {
-  n=$((n + 1))
-  if [ "$1" -eq 0 ]; then
-    echo "ok $n - $2"
-  else
-    echo "not ok $n - $2"
-    tail -n 30 "$work/said" | sed 's/^/# /'
+# need STATUS NAME: as result, but without this the rest of the test makes no sense.
+need() {
+  result "$@"
+  [ "$1" -eq 0 ] || {
     echo "1..$n"
     exit 1
-  fi
+  }
 }
 
 # The copy contains no files of a build. File times are kept, so the autotools run only for files that have changed.
@@ -42,14 +30,14 @@ for entry in setup autogen.sh configure.ac Makefile.am README.md HACKING.md NEWS
 done | tar -c -f - --exclude='*.o' --exclude=.deps --exclude=.dirstamp -T - | tar -x -f - -C "$tree" >"$work/said" 2>&1
 chmod -R u+w "$tree"
 test -f "$tree/Makefile.am"
-result $? "the tree is copied"
+need $? "the tree is copied"
 
 {
   sed -n '/^## A worked example/,$p' HACKING.md
   sed -n '/^## Write a page of your own/,/^## Write a loading programme/p' docs/TUTORIAL.md
 } >"$work/example.md"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
-result $? "the files of the examples are written"
+need $? "the files of the examples are written"
 
 # `FILE LIST LINE`: the line is inserted after the first `LIST = \` of a Makefile, `#define LIST(ROW) \`,
 # `#include LIST`, `struct LIST {` or `LIST[] = {`.
@@ -62,18 +50,18 @@ while read -r file list line; do
   cat "$work/file" >"$tree/$file"
 done <"$work/lists" 2>"$work/said"
 test ! -s "$work/said"
-result $? "the lines of the examples are in the lists"
+need $? "the lines of the examples are in the lists"
 
 cd "$tree" || exit 1
 {
   if test -f configure; then automake; else ./autogen.sh; fi && mkdir build && (cd build && ../configure CFLAGS=-O1)
 } >"$work/said" 2>&1
-result $? "configure"
+need $? "configure"
 
 # Of the tutorial only the commands about the law are run; tests/docs.sh runs the others.
 sed '/^## Write a page of your own/,/^## Add a law of your own/d' "$work/example.md" | awk -f tests/fences.awk >"$work/commands"
 test -s "$work/commands"
-result $? "the examples have commands"
+need $? "the examples have commands"
 PATH=$tree/build:$PATH
 while IFS='	' read -r line command; do
   wanted=$(echo "$command" | sed -n 's/.*#.*exit status \([0-9]\).*/\1/p')
@@ -81,7 +69,7 @@ while IFS='	' read -r line command; do
   status=$?
   echo "exit status $status, wanted ${wanted:-0}" >>"$work/said"
   test $status -eq "${wanted:-0}"
-  result $? "$(echo "$command" | sed 's/ *#.*//')"
+  need $? "$(echo "$command" | sed 's/ *#.*//')"
 done <"$work/commands"
 
 # The suites that test all laws of the register include the new ones.
@@ -90,6 +78,6 @@ if grep -q "^CUNIT_LIBS = ." build/Makefile && test -n "$suites"; then
   sed -i "/^SUITES = /,/[^\\\\]\$/d" build-aux/lists.mk
   echo "SUITES = $suites" >>build-aux/lists.mk
   { make -C build suites-register.h && make -C build -j2 tests/unit; } >"$work/said" 2>&1 && build/tests/unit >"$work/said" 2>&1
-  result $? "the laws pass the tests of all laws"
+  need $? "the laws pass the tests of all laws"
 fi
 echo "1..$n"

@@ -85,18 +85,22 @@ void refs_check(const char *reference, const char *page, double scale, const str
   solution_free(&solution);
 }
 
-void refs_check_message(const char *reference, const char *page, const char *message) {
+void refs_check_error(const char *reference, const char *page, const char *text) {
   struct nb_solution solution;
   struct nb_error error = {0};
-  char text[512] = "";
   const enum nb_status status = refs_solve(&solution, reference, page, &error);
-  if (message)
-    snprintf(text, sizeof text, "the reference `%s` is for %s", reference, message);
-  const bool right = status == (message ? NB_BAD_USE : NB_OK) && (!message || strcmp(error.text, text) == 0);
+  const bool right = status == (text ? NB_BAD_USE : NB_OK) && (!text || strcmp(error.text, text) == 0);
   if (!right)
-    printf("# %s, status %d\n# found:    %s\n# expected: %s\n# page: %s\n", reference, status, error.text, text, page);
+    printf("# %s, status %d\n# found:    %s\n# expected: %s\n# page: %s\n", reference, status, error.text,
+           text ? text : "", page);
   CU_ASSERT(right);
   solution_free(&solution);
+}
+
+void refs_check_message(const char *reference, const char *page, const char *message) {
+  char text[512];
+  snprintf(text, sizeof text, "the reference `%s` is for %s", reference, message ? message : "");
+  refs_check_error(reference, page, message ? text : NULL);
 }
 
 void refs_check_parts(const char *reference, const char *page, const struct part *parts, size_t count) {

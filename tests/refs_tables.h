@@ -30,7 +30,9 @@ void refs_check(const char *reference, const char *page, double scale, const str
     refs_check(reference, page, scale, expected, sizeof expected / sizeof *expected);                                  \
   } while (0)
 
-/* The reference accepts the scene if `message` is NULL, or refuses it with this message, after its name. */
+/* The reference accepts the scene if `text` is NULL, or refuses it with this text. */
+void refs_check_error(const char *reference, const char *page, const char *text);
+/* The same; a message stands behind "the reference `NAME` is for". */
 void refs_check_message(const char *reference, const char *page, const char *message);
 
 /* The page with each text in place of `@`. */

@@ -254,15 +254,17 @@ static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, do
   const struct nb_wall *const wall = &scene->walls[index];
   if (spin == 0 || wall->has_about)
     return;
-  const size_t first = (size_t)nb_box_first_wall(scene), sides = NB_BOX_SIDES;
   const bool of_box = is_of_box(wall);
-  const size_t opposite = first + (index - first + sides / 2) % sides; /* only of a box */
+  if (of_box) {
+    const size_t first = (size_t)nb_box_first_wall(scene), sides = NB_BOX_SIDES;
+    const size_t opposite = first + (index - first + sides / 2) % sides;
+    if (nb_wall_motion_after(scene, stages, opposite).spin == spin)
+      return;
+  }
   const char *const m = scene->unitless ? "" : " m";
-  if (!of_box || nb_wall_motion_after(scene, stages, opposite).spin != spin)
-    nb_warn(
-        &scene->warnings, line,
-        "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
-        wall->name, wall->x, m, wall->y, m, of_box ? "is a `box`; only a line `wall` can have" : "has no");
+  nb_warn(&scene->warnings, line,
+          "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
+          wall->name, wall->x, m, wall->y, m, of_box ? "is a `box`; only a line `wall` can have" : "has no");
 }
 
 void nb_spin_check(struct nb_scene *scene) {

@@ -125,7 +125,8 @@ static void catch_signals(struct nb_call *call) {
   sigaction(SIGTERM, &action, NULL);
 }
 
-/* Prints how to continue, or how to repeat a contact test, and returns the exit status of a process that a signal has ended. */
+/* Prints how to continue, or how to repeat a contact test. Returns the exit status of a process that a signal has
+ * ended. */
 static int stopped(const struct nb_call *call, char **words) {
   fputs(*call->repeats ? "to repeat:" : "to continue:", stderr);
   for (; *words; words++) {
