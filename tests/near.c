@@ -408,24 +408,27 @@ static void each_particle_sums_its_contacts(void) {
   written_free(&it);
 }
 
-/* A saved list of pairs is restored. This fails if any of its three pairs has a particle or a material pair that the
- * model does not have. */
+/* A saved list of pairs is restored. This fails if any of its three pairs has a particle, a wall or a material pair that
+ * the model does not have. There are more walls than particles. */
 static void restored_pairs_exist(void) {
   static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0},
-                                                     {0, -1, 0}, {0, 1, 2}, {0, 1, -1}};
+                                                     {0, -1, 0}, {0, 1, 2}, {0, 1, -1},
+                                                     {0, 5, 1},  {3, 0, 1}, {0, -1, 1}};
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"
-                   "disc 4 0 radius 1 m\nstep 1e-3\nrecord time\nstage s\ncycles 1\n");
+                   "disc 4 0 radius 1 m\nwall a 9 0 to 9 1 m\nwall b 9 2 to 9 3 m\nwall c 9 4 to 9 5 m\n"
+                   "wall d 9 6 to 9 7 m\nwall e 9 8 to 9 9 m\nstep 1e-3\nrecord time\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
-  CU_ASSERT_EQUAL(model->material_pair_count, 1);
+  CU_ASSERT_EQUAL(model->material_pair_count, 2);
+  CU_ASSERT(!model->material_pairs[0].wall && model->material_pairs[1].wall);
   for (size_t k = 0; k <= sizeof invalid / sizeof *invalid; k++)
     for (size_t at = 0; at < 3; at++) {
       struct nb_neighbour_pair list[3] = {{0}};
       struct nb_neighbour_pairs pairs = {list, 3}, restored = {NULL, 0};
       for (size_t p = 0; p < 3; p++)
-        list[p].b = 1;
+        list[p] = p == at ? (struct nb_neighbour_pair){0, 4, 1} : (struct nb_neighbour_pair){0, 1, 0};
       if (k > 0)
         list[at] = invalid[k - 1];
       struct nb_store store = {0};

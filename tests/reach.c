@@ -1,5 +1,5 @@
 /* The criterion for a new search: a particle, or the end of a wall, is farther than half the skin from its place at the
- * last search. The tests use hundreds of distances within 1/2000 of this limit. The strain of a periodic cell reduces
+ * last search; in a periodic cell, a particle is farther than the travel limit of the cell. The tests use hundreds of distances within 1/2000 of this limit. The strain of a periodic cell reduces
  * the limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -21,7 +21,7 @@ static struct nb_vec found_near(struct nb_vec at, struct chance *chance, int *ou
   return vec(at.x - away * cos(turn), at.y - away * sin(turn));
 }
 
-static void particles(void) {
+static void particles_in(bool cell) {
   enum { PARTICLES = 600, PARTS = 3 };
   struct words page = {0};
   struct written it;
@@ -30,12 +30,14 @@ static void particles(void) {
   for (int k = 0; k < PARTICLES; k++)
     words_add(&page, "disc %d %d radius 1 m velocity %.17g %.17g%s\n", 40 + 9 * (k % 25), 30 + 9 * (k / 25),
               chance_between(&chance, -1, 1), chance_between(&chance, -1, 1), k % 5 ? "" : " fixed");
-  words_add(&page, "stage s\ncycles 1\n");
+  words_add(&page, "%sstage s\ncycles 1\n", cell ? "periodic cell 0 0 to 400 400\n" : "");
   written_scene(&it, &page);
   for (int parts = 1; parts <= PARTS; parts += PARTS - 1) {
     struct nb_model *model = written_model(&it, NULL);
     int wanted = 0, seen = 0;
-    model->search.skin = 2 * half_skin;
+    model->search.skin = cell ? 3 * half_skin : 2 * half_skin;
+    if (cell)
+      model->cell->travel_limit = half_skin;
     for (size_t i = 0; i < PARTICLES; i++)
       model->particles.search_position[i] = found_near(
           vec_add(model->particles.position[i], vec_scale(0.5, model->particles.velocity[i])), &chance, &wanted);
@@ -46,6 +48,11 @@ static void particles(void) {
     nb_model_free(model);
   }
   written_free(&it);
+}
+
+static void particles(void) {
+  particles_in(false);
+  particles_in(true);
 }
 
 /* One end of each wall is near the limit, and the other has not moved, so every end is tested alone. */

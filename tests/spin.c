@@ -88,14 +88,19 @@ static void surface_speed_of_the_particle(void) {
 }
 
 /* At t_N a model has the velocities of t_(N-1/2). `reverse velocities` replaces them by minus the velocities of
- * t_(N+1/2), which the next kick would give; at the start, by minus the velocities of the page. */
+ * t_(N+1/2), which the next kick would give; at the start, by minus the velocities of the page. If a stage changes the
+ * damping at t_N, the next kick has the old damping before t_N and the new one after it. */
 static void reversal(void) {
+  static const struct nb_damping old = {.global_kind = NB_GLOBAL_MASS, .global = 80};
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++)
-    for (int cycles = 0; cycles < 30; cycles += 7) {
+    for (int k = 0; k < 10; k++) {
+      const int cycles = 7 * (k / 2);
       struct written it;
       struct nb_model *on = gears(&it, kinds[n].damping), *back = written_model(&it, NULL);
       written_cycles(on, cycles), written_cycles(back, cycles);
       on->step = back->step = 0.0004;
+      if (k % 2)
+        on->stage_cycle = back->stage_cycle = 0, on->previous_damping = back->previous_damping = old;
       if (cycles > 0)
         written_cycles(on, 1);
       nb_motion_reverse(back);

@@ -55,7 +55,7 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
 static enum nb_status check_displacement(const struct nb_model *model, int i, struct nb_error *error) {
   const int number = model->particles.number[i];
   const double displacement = displacement_of(model, i), radius = model->particles.radius[i];
-  if (!(displacement > radius) || nb_removed(model, (size_t)i))
+  if (!(displacement > radius))
     return NB_OK;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   return nb_error_set(

@@ -48,9 +48,8 @@ static struct nb_velocities kicked_velocities(const struct nb_model *model, size
     const struct nb_force sum = all_forces(model, slot, nb_force_on(model, slot));
     const double linear = f.impulse * time * particles->inverse_mass[slot];
     const double angular = f.impulse * time * particles->inverse_inertia[slot];
-    const double spin_kept = particles->inverse_inertia[slot] > 0 ? f.keep : 1;
     own = (struct nb_velocities){vec_add(vec_scale(f.keep, own.velocity), vec_scale(linear, sum.force)),
-                                 spin_kept * own.spin + angular * sum.moment};
+                                 f.keep * own.spin + angular * sum.moment};
   }
   if (model->affine)
     own.velocity = vec_add(own.velocity, nb_affine_accumulated(model->affine, slot, particles->position[slot]));
@@ -100,13 +99,12 @@ void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_veloc
   const struct nb_vec v = nb_velocity_half(model, slot).velocity;
   const struct nb_kick_factors f = nb_kick_factors(model, dt, 1);
   const struct nb_velocities next = kicked_velocities(model, slot, f, dt); /* keep v + the other terms */
-  const double spin_kept = particles->inverse_inertia[slot] > 0 ? f.keep : 1;
   const struct nb_vec rest = vec_sub(next.velocity, vec_scale(f.keep, v));
-  const double turned = next.spin - spin_kept * (particles->spin ? particles->spin[slot] : 0);
+  const double turned = next.spin - f.keep * (particles->spin ? particles->spin[slot] : 0);
   const struct nb_vec behind = vec_scale(1 / (1 + f.keep), vec_sub(vec_scale(2, now.velocity), rest));
   particles->velocity[slot] = particles->imposed ? vec_add(behind, particles->imposed[slot]) : behind;
   if (particles->spin)
-    particles->spin[slot] = (2 * now.spin - turned) / (1 + spin_kept);
+    particles->spin[slot] = (2 * now.spin - turned) / (1 + f.keep);
 }
 
 /* A kick by the forces at t_N changes v_(N-1/2) to v_(N+1/2). After the reversal the kick must give -v_(N-1/2), which
