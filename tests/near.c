@@ -411,9 +411,8 @@ static void each_particle_sums_its_contacts(void) {
 /* A saved list of pairs is restored. This fails if any of its three pairs has a particle, a wall or a material pair that
  * the model does not have. There are more walls than particles. */
 static void restored_pairs_exist(void) {
-  static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0},
-                                                     {0, -1, 0}, {0, 1, 2}, {0, 1, -1},
-                                                     {0, 5, 1},  {3, 0, 1}, {0, -1, 1}};
+  static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 1, 2},
+                                                     {0, 1, -1}, {0, 5, 1}, {3, 0, 1},  {0, -1, 1}};
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"
