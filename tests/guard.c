@@ -940,6 +940,16 @@ static void resolution_and_mean_overlap(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), reverse ? "4: particle 1: its coordinate 8.38861e+06 has"
                                                                     : "5: particle 2: its coordinate 8.38861e+06 has"));
   }
+  /* An overlap of at most 1e-9 of the radius comes from rounding and does not count in the mean. */
+  for (int touch = 0; touch < 2; touch++) {
+    char text[2000], statements[500];
+    snprintf(
+        statements, sizeof statements,
+        "material m density 1 kn 1\ndisc 8388608 0 radius %d m\ndisc %.17g 0 radius %d m\ndisc %.17g 0 radius %d m\n",
+        touch ? 4 : 1, 8388608 + (touch ? 8 : 2) - 1500. / 536870912, touch ? 4 : 1,
+        8388608 + (touch ? 16 : 4) - 1501. / 536870912, touch ? 4 : 1);
+    CU_ASSERT_EQUAL(warned(text, statements)[0] != 0, !touch);
+  }
 }
 
 /* The warning is given once in a run: not again when another particle is farther from the origin. Here the ulp is

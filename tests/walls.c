@@ -194,14 +194,67 @@ static void no_jump_on_a_straight_vertex(void) {
   }
 }
 
-/* The magnitude of the force on a disc at rest at (x, y), and its number of contacts. */
+/* A sphere hits a floor obliquely, without friction, and passes the common end of its two walls during the impact. With a
+ * normal law in increments, whose history is the force, the force in each cycle is that on a floor of one wall. */
+static void normal_history_passes_a_vertex(void) {
+  static const char *const floors[] = {"wall a -9 0 to 9 0 m", "wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m",
+                                       "wall b 0 0 to 9 0 m\nwall a -9 0 to 0 0 m"};
+  double force[200], most = 0;
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 young 1e4 poisson 0.25\nnormal hertz_increment\nstep 0.001\n%s\n"
+              "sphere -0.16 1 radius 1 m velocity 2 -1\nmonitor D sphere 1\nrecord D.fy\nstage s\ncycles 1\n",
+              floors[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int n = 0; n < 200; n++) {
+      written_cycles(model, 1);
+      const double now = written_now(model, "D.fy");
+      force[n] = k == 0 ? now : force[n], most = fmax(most, now);
+      CU_ASSERT_DOUBLE_EQUAL(now, force[n], 1e-9);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(most > 50);
+}
+
+/* In one step a disc moves from the common end of two walls so far onto the first wall that the end is beyond the skin.
+ * The first wall, whose contact was suppressed, then supports the disc. */
+static void a_jump_away_from_a_vertex(void) {
+  static const char *const floors[] = {"wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m",
+                                       "wall b 0 0 to 9 0 m\nwall a -9 0 to 0 0 m"};
+  for (int k = 0; k < 4; k++) {
+    const int way = k / 2 ? 1 : -1;
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1e12 kn 400\nstep 0.5\nskin 0.1\n%s\n"
+              "disc %g 0.95 radius 1 m velocity %g 0\nmonitor D disc 1\nrecord D.fy contacts\nstage s\ncycles 1\n",
+              floors[k % 2], -0.1 * way, 1.9 * way);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int n = 0; n < 2; n++) { /* at x = 0.1 and 0.85 */
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "D.fy"), 400 * 0.05, 1e-9);
+      CU_ASSERT_EQUAL(written_now(model, "contacts"), 1);
+      written_cycles(model, 1);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* The magnitude of the force on a disc of radius 1 at rest at (x, y), and its number of contacts. At (90, 90) the disc is
+ * far smaller. */
 static double push(const char *walls, double x, double y, double *contacts) {
   struct words page = {0};
   struct written it;
   words_add(&page,
-            "units none\nmaterial m density 1 kn 100\nstep 1e-3\n%s\ndisc %.17g %.17g radius 1 m\nmonitor D disc 1\n"
+            "units none\nmaterial m density 1 kn 100\nstep 1e-3\n%s\ndisc %.17g %.17g radius %g m\nmonitor D disc 1\n"
             "record D.fx D.fy contacts\nstage s\ncycles 1\n",
-            walls, x, y);
+            walls, x, y, x < 90 || x > 90 ? 1 : 1e-3);
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   const double force = hypot(written_now(model, "D.fx"), written_now(model, "D.fy"));
@@ -231,10 +284,17 @@ static void one_contact_at_a_corner(void) {
   CU_ASSERT_EQUAL(contacts, 2);
   push("wall a -9 0 to 1 0 m", 1.1, 0.9, &contacts); /* a wall and its end */
   CU_ASSERT_EQUAL(contacts, 1);
-  /* Far from the origin, where common ends differ by rounding, for all combinations of ends. */
+  /* The largest particle decides whether ends may be common, whatever its number. */
+  push("disc 0 0.9 radius 1 m\nwall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 90, 90, &contacts);
+  CU_ASSERT_EQUAL(contacts, 1);
+  push("disc 0 0.9 radius 1 m\nwall a -9 0 to -1e-9 0 m\nwall b 1e-9 0 to 9 0 m\ndisc 50 50 radius 4 m", 90, 90,
+       &contacts); /* each particle has its own limit */
+  CU_ASSERT_EQUAL(contacts, 2);
+  /* Far from the origin in x, in y and in both, where common ends differ by rounding, for all combinations of ends. */
   for (int k = 0; k < 80; k++) {
     char walls[512];
-    const double x = 1e8 + 1.7 * k, y = -3e8 - 0.3 * k, ex = cos(0.3 * k), ey = sin(0.3 * k);
+    const double x = (k % 3 > 0 ? 1e8 : 0) + 1.7 * k, y = (k % 3 < 2 ? -3e8 : 0) - 0.3 * k, ex = cos(0.3 * k),
+                 ey = sin(0.3 * k);
     const double a[2][2] = {{x - 9.7 * ex, y - 9.7 * ey}, {x, y}}, b[2][2] = {{x, y}, {x + 85.7 * ex, y + 85.7 * ey}};
     const int from_a = k & 1, from_b = k >> 1 & 1;
     snprintf(walls, sizeof walls, "wall a %.17g %.17g to %.17g %.17g m\nwall b %.17g %.17g to %.17g %.17g m",
@@ -370,6 +430,8 @@ void suite_walls(void) {
   CU_ADD_TEST(suite, a_wall_that_moves_away_has_a_contact_at_once);
   CU_add_test(suite, "common ends are those of time 0", common_ends_are_those_of_time_0);
   CU_add_test(suite, "no jump at a vertex of a straight floor", no_jump_on_a_straight_vertex);
+  CU_ADD_TEST(suite, normal_history_passes_a_vertex);
+  CU_ADD_TEST(suite, a_jump_away_from_a_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);
   CU_ADD_TEST(suite, crossings_in_all_directions);
