@@ -73,6 +73,23 @@ static void equal_dampings(void) {
   CU_ASSERT(!nb_damping_none(&a) && nb_damping_none(&(struct nb_damping){0}));
 }
 
+/* The line of the statement that gives a page dashpots; 0: none. A statement without a dashpot does not count. */
+static void lines(void) {
+  static const struct {
+    struct nb_damping damping;
+    int line;
+  } rows[] = {
+      {{.contact_line = 3, .walls_line = 4, .deep_line = 5}, 0},
+      {{.contact_kind = NB_CONTACT_RATIO, .contact_line = 3, .walls_separate = true, .walls_line = 4}, 3},
+      {{.walls_separate = true, .walls_kind = NB_CONTACT_STIFFNESS, .walls_line = 4, .contact_line = 3}, 4},
+      {{.walls_separate = true, .walls_line = 4, .contact_line = 3, .deep_line = 5}, 0},
+      {{.walls_separate = true, .walls_line = 4, .deep = 0.1, .deep_line = 5}, 5},
+      {{.walls_kind = NB_CONTACT_RATIO, .walls_line = 4}, 0}, /* the walls have no damping of their own */
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    CU_ASSERT_EQUAL(nb_damping_contact_line(&rows[k].damping), rows[k].line);
+}
+
 /* In the step of first touch the spring takes only the fraction overlap/dn of the tangential increment, while the
  * dashpot has the full rate. */
 static void first_touch(void) {
@@ -289,6 +306,41 @@ static void a_touch_at_the_end_of_a_step(void) {
   }
 }
 
+/* A sphere so heavy that no force changes its velocity touches a wall. At the first time after first touch the forces of
+ * both centred dashpots are w(f) times coefficient times velocity (pass/dashpots.c), with w(f) = (f + 1/2)^(1+p)/((1+p)
+ * f^p). The coefficient is proportional to the overlap to the power p: 0 for linear springs, 1/2 for the stiffness of
+ * elastic spheres, 1/4 for its root. One cycle later w is 1. */
+static void weights_at_first_touch(void) {
+  const double dt = 0.03125, mass = 4. / 3 * pi * 1e30;
+  for (int elastic = 0; elastic < 2; elastic++)
+    for (int ratio = 0; ratio < 2; ratio++) {
+      struct words page = {0};
+      struct written it;
+      words_add(
+          &page,
+          "units none\nmaterial m density 1e30 kn 400 ks 300 young 4000 poisson 0.25 friction 10\nnormal %s\nshear "
+          "%s\nsphere %.17g 0 radius 1 m velocity 0.25 0.1 spin 0.2\nwall w 1 -9 to 1 9 m\ndamping %s\ndamping "
+          "centred\nstep 0.03125\nmonitor C sphere 1 with wall w\nrecord C.overlap C.dashpot.normal "
+          "C.dashpot.shear\nstage s\ncycles 2\n",
+          elastic ? "hertz" : "linear", elastic ? "mindlin" : "linear", -0.6 * dt * 0.25,
+          ratio ? "ratio 0.3" : "stiffness 0.02");
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      for (int cycle = 1; cycle <= 2; cycle++) {
+        written_cycles(model, 1);
+        const double f = cycle - 0.6, overlap = f * dt * 0.25, a = sqrt(overlap), p = elastic ? ratio ? 0.25 : 0.5 : 0;
+        const double kn = elastic ? 4000 / (1 - 0.0625) * a : 400, ks = elastic ? 8 * 4000 / (2.5 * 2 * 1.75) * a : 300;
+        const double w = cycle == 1 ? pow(f + 0.5, 1 + p) / ((1 + p) * pow(f, p)) : 1;
+        const double cn = ratio ? 0.6 * sqrt(mass * kn) : 0.02 * kn, cs = ratio ? 0.6 * sqrt(mass * ks) : 0.02 * ks;
+        CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.overlap"), overlap, 1e-15);
+        CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal") / (w * cn * 0.25), 1, 1e-12);
+        CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear") / (w * cs * -(0.1 + 0.2)), 1, 1e-12);
+      }
+      nb_model_free(model);
+      written_free(&it);
+    }
+}
+
 /* At a wall M* is the mass of the disc: [R89 4.6] with 1/M_wall = 0. */
 static void a_wall_has_infinite_mass(void) {
   struct words page = {0};
@@ -306,17 +358,18 @@ static void a_wall_has_infinite_mass(void) {
   written_free(&it);
 }
 
-/* At time 0 the dashpot at a wall that rotates about P uses the velocity w x (Q - P) of the nearest point Q of the
- * wall, also if P is not on the line of the wall. Q is (0, 0.9), and e points from the disc to Q, in +y. */
+/* At time 0 the dashpot at a wall that moves with the velocity V and rotates about P uses the velocity V + w x (Q - P) of
+ * the nearest point Q of the wall, also if P is not on the line of the wall. Q is (0, 0.9), and e points from the disc to Q, in +y. */
 static void a_wall_that_rotates(void) {
   const double c = 0.2 * sqrt(pi * 3 * 400), spin = -0.5;
   for (int above = 0; above < 4; above++) { /* distance of P from the wall */
-    const double u = -spin * (0.9 - (0.9 + above)), v = spin * 2;
+    const double u = 0.3 - spin * (0.9 - (0.9 + above)), v = -0.7 + spin * 2;
     struct words page = {0};
     struct written it;
     words_add(&page,
               "units none\nmaterial m density 3 kn 400 ks 400 friction 9\nshear linear\ndisc 0 0 radius 1 m\n"
-              "wall w -4 0.9 to 4 0.9 m about -2 %g spin %g\ndamping ratio 0.1\ndamping centred\nstep 0.001\n"
+              "wall w -4 0.9 to 4 0.9 m about -2 %g velocity 0.3 -0.7 spin %g\ndamping ratio 0.1\ndamping "
+              "centred\nstep 0.001\n"
               "monitor C disc 1 with wall w\nrecord C.dashpot.normal C.dashpot.shear\nstage s\ncycles 9\n",
               0.9 + above, spin);
     written_scene(&it, &page);
@@ -431,6 +484,8 @@ void suite_damping(void) {
   CU_add_test(suite, "the stable step of centred dashpots", stable_step_of_centred_dashpots);
   CU_add_test(suite, "an impact with centred dashpots continues in any cycle", continued_impact);
   CU_add_test(suite, "a touch at the end of a step", a_touch_at_the_end_of_a_step);
+  CU_ADD_TEST(suite, weights_at_first_touch);
+  CU_ADD_TEST(suite, lines);
   CU_add_test(suite, "a wall has infinite mass", a_wall_has_infinite_mass);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
   CU_add_test(suite, "the total normal force may be tensile", total_normal_force_may_be_tensile);

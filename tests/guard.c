@@ -93,6 +93,7 @@ static void coincident_particles(void) {
   model->cycle = 7;
   CU_ASSERT_EQUAL(nb_neighbours_search(model, &error), NB_BROKEN);
   CU_ASSERT(has(&error, "particle 2 (line 6) and particle 3 (line 6): at cycle 7, time 0, they overlap by 2."));
+  CU_ASSERT_EQUAL(error.line, 0); /* not the line of the error before */
   nb_model_free(model);
   written_free(&it);
 }

@@ -194,9 +194,11 @@ static void no_jump_on_a_straight_vertex(void) {
   }
 }
 
-/* A sphere hits a floor obliquely, without friction, and passes the common end of its two walls during the impact. With a
- * normal law in increments, whose history is the force, the force in each cycle is that on a floor of one wall. */
-static void normal_history_passes_a_vertex(void) {
+/* A sphere hits a floor obliquely, without friction, and passes the common end of its two walls during the impact. The
+ * force in each cycle is that on a floor of one wall: with a normal law in increments, whose history is the force, and
+ * with centred dashpots, which act for one more cycle when a contact ends. The suppressed contact ends before the other
+ * one. */
+static void an_impact_on_a_vertex(const char *laws) {
   static const char *const floors[] = {"wall a -9 0 to 9 0 m", "wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m",
                                        "wall b 0 0 to 9 0 m\nwall a -9 0 to 0 0 m"};
   double force[200], most = 0;
@@ -204,9 +206,9 @@ static void normal_history_passes_a_vertex(void) {
     struct words page = {0};
     struct written it;
     words_add(&page,
-              "units none\nmaterial m density 1 young 1e4 poisson 0.25\nnormal hertz_increment\nstep 0.001\n%s\n"
+              "units none\nmaterial m density 1 kn 1600 young 1e4 poisson 0.25\nstep 0.001\n%s\n%s\n"
               "sphere -0.16 1 radius 1 m velocity 2 -1\nmonitor D sphere 1\nrecord D.fy\nstage s\ncycles 1\n",
-              floors[k]);
+              laws, floors[k]);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     for (int n = 0; n < 200; n++) {
@@ -219,6 +221,11 @@ static void normal_history_passes_a_vertex(void) {
     written_free(&it);
   }
   CU_ASSERT(most > 50);
+}
+
+static void impacts_on_a_vertex(void) {
+  an_impact_on_a_vertex("normal hertz_increment");
+  an_impact_on_a_vertex("damping ratio 0.2\ndamping centred");
 }
 
 /* In one step a disc moves from the common end of two walls so far onto the first wall that the end is beyond the skin.
@@ -430,7 +437,7 @@ void suite_walls(void) {
   CU_ADD_TEST(suite, a_wall_that_moves_away_has_a_contact_at_once);
   CU_add_test(suite, "common ends are those of time 0", common_ends_are_those_of_time_0);
   CU_add_test(suite, "no jump at a vertex of a straight floor", no_jump_on_a_straight_vertex);
-  CU_ADD_TEST(suite, normal_history_passes_a_vertex);
+  CU_ADD_TEST(suite, impacts_on_a_vertex);
   CU_ADD_TEST(suite, a_jump_away_from_a_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);

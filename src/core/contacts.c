@@ -32,12 +32,12 @@ static void keep_doubles(double now[], const double old[], const int from[], siz
     now[c] = from[c] >= 0 ? old[from[c]] : now[c];
 }
 
-/* The fields that a contact takes over from the old list. If forces are kept, these are all except M* and the roots
- * that contain M*. M* changes when a particle becomes part of a boundary, because the mass of the particle is then
- * infinite. If forces are not kept, these are the values of the last step that the energy balance reads. */
+/* The fields that a contact takes over from the old list. If forces are kept, these are all except M*. M* changes when a
+ * particle becomes part of a boundary, because the mass of the particle is then infinite. The roots that contain M* are
+ * computed again in each new block (pass/dashpots.c). If forces are not kept, these are the values of the last step that the energy balance reads. */
 static unsigned fields_that_stay(const struct nb_model *model) {
   if (model->search.keep_forces)
-    return (NB_BIT(NB_FIELDS) - 1) & ~(NB_BIT(NB_MASS) | NB_BIT(NB_NORMAL_ROOT) | NB_BIT(NB_SHEAR_ROOT));
+    return (NB_BIT(NB_FIELDS) - 1) & ~NB_BIT(NB_MASS);
   return model->plan.requested & NB_REQUEST_ENERGY
              ? NB_BIT(NB_OVERLAP) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE)
              : 0;
