@@ -167,6 +167,13 @@ static void chain(void) {
   {"L.normal frequency", FREQUENCY(w2)}, { "L.normal mean", 7.5 }
   VALUES("chain", ROW("velocity -0.1 0", "", LEFT RIGHT("6.75")) "monitor L sphere 1 with wall l\n" STEP, 0,
          FIRST(7.5 + 30 * 0.1 * 0.05), KNOWN(10.));
+  /* With w dt = 2 the two solutions of the recurrence coincide: s_n = (-1)^(n-1) n v dt. w dt/2 is exactly 1 here. */
+  const double h = 2 / sqrt(10) + 1e-16;
+  VALUES("chain",
+         ROW("velocity -0.1 0", "", LEFT RIGHT("6.75")) "monitor L sphere 1 with wall l\nstep (2/sqrt(10) + 1e-16)\n"
+                                                        "allow unstable\nstage s\ncycles 1\n",
+         0, {"L.normal", 7.5 + 3 * h, "cycle", 1}, {"L.normal", 7.5 - 18 * h, "cycle", 6},
+         {"L.normal", 7.5 + 57 * h, "cycle", 19}, {"L.normal", 7.5, "time", 0});
 #define TWO(speed)                                                                                                     \
   ROW("velocity -0.1 0", "sphere 8.75 7 radius 2 m velocity " speed " 0\n", LEFT RIGHT("10.5"))                        \
   "monitor L sphere 1 with wall l\n"
@@ -180,6 +187,12 @@ static void chain(void) {
          TWO("0.1") "monitor D sphere 1\nstep 0.05\nstage s\ncycles 4\nstage t\nuntil D.x above 4 at most 9 cycles\n",
          0, FIRST(7.65), KNOWN(15.), {"step.stable", sqrt(6 / 30.)}, {"time in t", 0.25}, {"D.x", 5, "cycle", 0},
          {"D.x", 5, "time", 0}, {"D.vx.half", -0.1, "cycle", 1}, {"D.vx.half", -0.1, "time", 0.05});
+  /* The two spheres come back after pi/acos(1 - 15 dt^2/2) = 16.2 cycles. Stage t may last until cycle 7 + 10. */
+  VALUES("chain",
+         TWO("0.1") "monitor D sphere 1\nstep 0.05\nstage r\ncycles 4\nstage s\ncycles 3\nstage t\n"
+                    "until D.x above 5 at most 10 cycles\n",
+         0, FIRST(7.65), KNOWN(15.), {"step.stable", sqrt(6 / 30.)}, {"time in t", 17 * 0.05}, {"D.x", 5, "cycle", 0},
+         {"D.x", 5, "time", 0}, {"D.vx.half", -0.1, "cycle", 1}, {"D.vx.half", -0.1, "time", 0.05});
   /* The mode with 3 k/m is unstable, that with k/m is not. w dt = 2.1 and w dt = 2.1/sqrt(3) */
   VALUES("chain", TWO("-0.1") "step (2.1/sqrt(15))\nallow unstable\nstage s\ncycles 1\n", 0,
          {"L.normal", 7.5 + 3 * 2.1 / sqrt(15), "cycle", 1},
@@ -192,8 +205,8 @@ static void chain(void) {
          {"L.normal", 7.5 + 3 * 2.1 / sqrt(15), "time", 2.1 / sqrt(15)}, {"step.stable", sqrt(6 / 30.)});
   /* A stage whose end the reference does not know, and those after it, have no time. */
   static const char *const ends[] = {"D.x below 5 at most 9 cycles", "time above 0.1 at most 9 cycles",
-                                     "D.x above 5.001 every 2 cycles at most 8 cycles"};
-  for (int k = 0; k < 3; k++) {
+                                     "D.x above 5.001 every 2 cycles at most 8 cycles", "D.x above 9 at most 9 cycles"};
+  for (int k = 0; k < 4; k++) {
     struct nb_solution solution;
     struct nb_error error = {0};
     char page[2048];

@@ -116,7 +116,8 @@ static void boxed_lattice(void) {
         {"box 1 5 to 13 13 b\nlattice discs 3 by 1 from 3 7 radius 2 spacing 4 a\ndisc 3 11 radius 2 a\n"
          "disc (7 + 2e-12) 11 radius 2 a\ndisc 11 11 radius 2 a\n",
          NULL},
-        {"box 1 5 to 13 17 b\n" SIX "disc 3 15 radius 2 a\n", LATTICE});
+        {"box 1 5 to 13 17 b\n" SIX "disc 3 15 radius 2 a\n", LATTICE},
+        {"box 1 5 to 13 13 b\nwall w 1 5 to 1 13 b\n" SIX, LATTICE});
   PARTS("boxed_lattice", ROCK "box 1 5 to 13 13 b\n" SIX "region R box 2 6 to 8 9\nstep 0.1\nstage s\n@cycles 4\n",
         {"", NULL}, {"box strain 0 0\n", NULL}, {"box strain 1e-4 -1e-4\n", "compressed contacts"},
         {"box strain -1e-4 1e-4\n", "compressed contacts"}, {SERVO("xx 1", "R"), STAGES},

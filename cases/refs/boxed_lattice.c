@@ -55,13 +55,13 @@ static bool solve_equilibrium(const struct lattice *it, enum control control, st
   return s->w <= full_w && s->h <= full_h;
 }
 
-/* Whether the wall is a side of the box that the lattice fills. */
+/* Whether the wall is a side of a box, at the place of a side of the lattice. */
 static bool is_side(const struct lattice *it, const struct nb_particle *first, const struct nb_wall *wall) {
   const bool level = wall->iny != 0;
-  const double inward = level ? wall->iny : wall->inx, sides = level ? it->nx : it->ny;
+  const double inward = level ? wall->iny : wall->inx;
   const double begin = (level ? first->y : first->x) - it->r, across = 2 * it->r * (level ? it->ny : it->nx);
   const double place = (level ? wall->y : wall->x) - begin - (inward < 0 ? across : 0);
-  return inward != 0 && fabs(place) + fabs(wall->h2 - wall->h1 - 2 * it->r * sides) < 1e-9 * it->r;
+  return inward != 0 && fabs(place) < 1e-9 * it->r;
 }
 
 /* Reads the lattice: equal touching discs, listed row by row in the order of y, and a box of the stiffness of the discs
@@ -105,7 +105,7 @@ static bool read_stage(enum control *control, struct state *to, const struct nb_
     to->sy = servo->stress[1];
   else if (strain)
     to->h = strained_length(to->h, strain->yy, stage, strain->per_cycle);
-  return !stage->motion_count && (!servo->line || (servo->box && servo->quantity[0].monitor < 0)) &&
+  return !stage->motion_count && (!servo->line || servo->quantity[0].monitor < 0) &&
          (!servo->mean || !strain || strain->xx == strain->yy) &&
          (!strain || strain->per_cycle || stage->step.kind == NB_STEP_TIME);
 }

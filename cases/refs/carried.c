@@ -118,7 +118,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   bool right = scene->stage_count <= 2;
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_affine_motion *it = &scene->stages[s].affine;
-    right = it->line && it->strain.per_cycle && it->strain.xy == 0 && it->strain.yx == 0 &&
+    right = it->strain.per_cycle && it->strain.xy == 0 && it->strain.yx == 0 &&
             (!it->accumulated || s + 1 == scene->stage_count);
   }
   if (!right)

@@ -134,7 +134,7 @@ static void add_ends(struct nb_solution *solution, const struct nb_scene *scene,
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     char name[3 * NB_NAME_SIZE];
-    const double begin = n;
+    const double longest = n + (double)stage->cycles;
     if (stage->condition_count == 0) {
       n += (double)stage->cycles;
       continue;
@@ -145,7 +145,9 @@ static void add_ends(struct nb_solution *solution, const struct nb_scene *scene,
       return;
     do
       n++;
-    while (n < begin + (double)stage->cycles && !(curve->at(curve->data, n) > until->value));
+    while (n < longest && !(curve->at(curve->data, n) > until->value));
+    if (!(curve->at(curve->data, n) > until->value)) /* the run is aborted */
+      return;
     snprintf(name, sizeof name, "time in %s", stage->name);
     solution_value(solution, n * chain->step, name);
   }
