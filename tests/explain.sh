@@ -7,10 +7,10 @@
 . "${srcdir:-.}/tests/tap"
 cd "$work" || exit 1
 
-# explained NAME: `explain NAME.md` must print standard input. Measured times, the errors of ACCURACY.md and the numbers of attempts
-# are not compared.
+# explained NAME TEXT [STATES]: `explain NAME.md` must print standard input. Measured times, the errors of ACCURACY.md and the numbers of
+# attempts are not compared.
 explained() {
-  "$nineball" explain "$1.md" --isa plain --states none 2>said |
+  "$nineball" explain "$1.md" --isa plain --states "${3:-none}" 2>said |
     sed '/^cost/,$s/, [0-9.e-]* s$/, T s/; s/takes [0-9.e-]* us/takes T us/; s/verdict [0-9.e-]* s$/verdict T s/
       s/ in [0-9]* attempts/ in N attempts/; s/ the [0-9]* errors/ the N errors/; s/below [0-9.e-]* %/below E %/g; s/-[0-9a-f]\{16\}\.state/-HASH.state/; s/ *$//' >out
   test -s out && diff -u - out >"$why"
@@ -204,6 +204,7 @@ cat >on.md <<'END'
 start springs stage two with refine=2 soften=3
 record time
 stage three
+  record  every 3 cycles
   wall    south velocity 0 m/s 2 m/s
   until stage.time above 1 s at most 50 cycles
 ```
@@ -215,6 +216,9 @@ step 0.5 us
 record time
 stage four
   cycles 3
+stage five
+  servo   yy 5 kPa on box  through box  at most 1 1/s
+  cycles 4
 ```
 END
 explained further 'a page whose state does not exist yet' <<'END'
@@ -252,10 +256,10 @@ force passes at the start of the run, for each pair of materials
 hooks of the cycle, at the start of the run
   before the forces  stability check
 memory
-  149 bytes a particle, 80 a contact (5 kept fields, 1 history variable of laws)
+  149 bytes a particle, 96 a contact (7 kept fields, 1 history variable of laws)
   1 block of up to 128 contacts, loops for plain, 1 thread
 not used
-  balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions
+  balances of work and energy (96 bytes a particle), periodic cell, boundary, regions
 step
   5e-07 s
 stages
@@ -263,11 +267,125 @@ stages
     line 3: step 0.5 us
     line 4: record time
     line 6: cycles 3
-    goes on from stage `three` of on, line 5: wall south velocity 0 m/s 2 m/s
+    goes on from stage `three` of on, line 6: wall south velocity 0 m/s 2 m/s
+  five, 4 cycles
+    line 8: servo yy 5 kPa on box through box at most 1 1/s
+    line 9: cycles 4
 cost
-  3 cycles
+  7 cycles
   the time of a cycle cannot be measured: the run begins with a state that does not exist yet
 END
+
+# A chain of three pages, first without states, then with one of them, then with both. Each disc has the mass pi. Stage `a` removes the
+# third disc, so the region around the second and the third one has one particle. A shear force adds 8 bytes to a contact, rotation 16
+# bytes to a particle, the affine motion 17, the removal 1. 2 (m/k)^(1/2) = 3.54491; two discs have 1/2^(1/2) of it, and a collision takes
+# pi (m/(2k))^(1/2).
+cat >first.md <<'END'
+```scene
+units     none
+material  m  density 1  kn 1
+material  n  density 1  kn 1
+normal    linear
+wall      w  0 -9 to 0 9  m
+disc      5 5  radius 1  m
+disc      5 7  radius 1  n
+disc      5 9  radius 1  n
+damping   mass 3
+step      0.5
+record    time
+stage     z
+  cycles  1
+stage     a
+  record  every 4 cycles
+  shear   linear
+  material n ks 1 friction 0.5
+  wall    w velocity 1 0
+  affine  strain 0.25 0
+  damping mass 2
+  remove  disc 3
+  cycles  1
+```
+END
+printf '```scene\nstart first stage a\nstep 0.25\nrecord time\nstage b\nrecord every 5 cycles\ncycles 2\n```\n' >second.md
+cat >third.md <<'END'
+```scene
+start   second stage b
+region  B  circle 5 8 radius 2.5
+step    0.125
+record  time
+stage   c
+  material n friction 0.75
+  cycles 3
+stage   d
+  cycles 4
+```
+END
+passes='  m with n: 1 pair in the neighbour list; k_n 1, k_s 0, tan(phi) 0, c 0
+    disc-disc, overlap
+    normal linear                            line 2
+    resolve, normal
+    (no shear linear: the pair has neither friction nor cohesion)
+  n with n: 0 pairs in the neighbour list; k_n 1, k_s 1, tan(phi) 0.5, c 0
+    from stage `c` on (line 7): friction 0.75
+    disc-disc, overlap and both increments
+    normal linear                            line 2
+    shear linear                             line 2
+    resolve, normal and shear
+  m with wall of m: 0 pairs in the neighbour list; k_n 1, k_s 0, tan(phi) 0, c 0
+    disc-wall, overlap
+    normal linear                            line 2
+    resolve, normal
+    (no shear linear: the pair has neither friction nor cohesion)
+  n with wall of m: 0 pairs in the neighbour list; k_n 1, k_s 0, tan(phi) 0, c 0
+    disc-wall, overlap
+    normal linear                            line 2
+    resolve, normal
+    (no shear linear: the pair has neither friction nor cohesion)'
+stages='stages
+  c, 3 cycles
+    line 3: region B circle 5 8 radius 2.5
+    line 4: step 0.125
+    line 5: record time
+    line 7: material n friction 0.75
+    line 8: cycles 3
+    goes on from stage `a` of first, line 20: affine strain 0.25 0
+    goes on from stage `a` of first, line 19: wall w velocity 1 0
+  d, 4 cycles
+    line 10: cycles 4
+    goes on from stage `a` of first, line 20: affine strain 0.25 0
+    goes on from stage `a` of first, line 19: wall w velocity 1 0
+cost'
+# chain A B: the states of second.md and first.md are A and B; without the state of second.md the contacts of stage `a` are not known.
+chain() {
+  printf '%s\n' third start '  at the end of stage `b` of `second` (line 2)' "    states/second-b-HASH.state: $1" '  at the end of stage `a` of `first` (line 2)' "    states/first-a-HASH.state: $2"
+  test "$1" = present || printf '%s\n' '  `nineball check third.md` computes that state; then `explain` shows contacts, step and seconds, too' \
+    'before stage `b` of `second` is run: laws and materials of its end, positions at time 0'
+}
+for made in '' second third; do
+  test -z "$made" || "$nineball" run $made.md --states states -o made >said 2>&1
+  case $made in
+  third)
+    { chain present present && printf '%s\n' particles '  3 particles, 1 walls' 'neighbour list' '  1 pairs closer than 0.1; rebuilt when a particle or wall has moved 0.05' \
+      'loading and damping, at the start of the run' '  mass-proportional damping 2, line 2' 'force passes at the start of the run, for each pair of materials' "$passes" \
+      'hooks of the cycle, at the start of the run' '  before the motion  affine motion' '  before the forces  stability check' memory \
+      '  150 bytes a particle, 60 a contact (3 kept fields, 1 history variable of laws)' '  1 block of up to 128 contacts, loops for plain, 1 thread' 'not used' \
+      '  dashpots, balances of work and energy (96 bytes a particle), periodic cell, boundary, servo' regions \
+      '  line 3: region B circle 5 8 radius 2.5: 1 particles now; area 19.635' step '  0.125, line 4' \
+      '  single contact, 2 sqrt(m/k): 3.54491; the step is 0.0352618 of it, the stable step 0.707107 of it' \
+      '  stable: 2.50663; the step is 0.0498678 of it; limited by normal motion of particles 1 and 2' \
+      '  collision, the shortest possible: 3.9374; the step is 0.0317468 of it' "$stages"; } >wanted
+    "$nineball" explain third.md --isa plain --states states 2>"$why" | sed '/^  accuracy/d; /^cost/q; s/-[0-9a-f]\{16\}\.state/-HASH.state/; s/ *$//' >out
+    ;;
+  *)
+    if test -z "$made"; then chain 'missing, will be computed' 'missing, will be computed'; else chain 'missing, will be computed' present; fi >wanted
+    { echo "$passes" | sed 's/n with n: 0 pairs/n with n: 1 pair/' && printf 'step\n  0.125\n%s\n' "$stages"; } >>wanted
+    "$nineball" explain third.md --isa plain --states states 2>"$why" |
+      sed '/^particles/,/^force passes/d; /^hooks/,/^  dashpots/d; /^cost/q; s/-[0-9a-f]\{16\}\.state/-HASH.state/; s/ *$//' >out
+    ;;
+  esac
+  diff -u wanted out >>"$why"
+  result $? "a chain of pages, after a run of ${made:-none}"
+done
 
 # Two discs of radius 4 mm do not fit into a circle of radius 7 mm; the small ones have space. Numbers count in the order of the lines.
 printf 'x/mm\ty/mm\tradius/mm\n1\t1\t1\n4\t1\t1.5\n' >two.tsv
@@ -316,6 +434,13 @@ for step in '0.25 of single-contact:  3.54491e-05 s' '0.25 of stable:  follows f
   test "$(cat out)" = "${step#*:}"
   result $? "the step of a page whose state does not exist yet: ${step%%:*}"
 done
+# Elastic spheres: the duration of a collision depends on the velocities, the Rayleigh step of `spheres` does not.
+for step in '0.25 of rayleigh:  5.51415e-06 s' '9 per collision:  follows from that state'; do
+  printf '```scene\nstart spheres stage three\nstep %s\nrecord time\nstage on\ncycles 1\n```\n' "${step%%:*}" >unknown.md
+  "$nineball" explain unknown.md --states none 2>"$why" | tee -a "$why" | sed -n '/^step/{n;p;}' >out
+  test "$(cat out)" = "${step#*:}"
+  result $? "the step of elastic spheres whose state does not exist yet: ${step%%:*}"
+done
 
 printf '```scene\nunits none\nmaterial m density 1 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 m\ngravity 0 -9\nboundary circle 0 0 radius 9\nstep 0.1\nrecord time\n' >slowed.md
 printf 'stage a\ndamping con1 0.125 as velocity\ndamping critical beyond overlap 2 %%\ndamping ratio 0.5\ncycles 1\n```\n' >>slowed.md
@@ -329,6 +454,21 @@ loading and damping, at the start of the run
 force passes at the start of the run, for each pair of materials
 END
 result $? 'gravity, a boundary and three kinds of damping'
+printf '```scene\nunits si\nmaterial m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m m\n%%s\nstep 0.1 s\nrecord time\nstage a\ncycles 1\n```\n' >alone.md
+for line in 'boundary circle 0 m 0 m radius 9 m=line 5: boundary circle 0 m 0 m radius 9 m' 'gravity 0 m/s2 -9 m/s2=line 5: gravity 0 m/s2 -9 m/s2' 'damping con1 0.125 as all=damping con1 0.125, line 5' \
+  'damping mass 3 1/s=mass-proportional damping 3 1/s, line 5' 'damping ratio 0.5=damping ratio 0.5, line 5'; do
+  sed "s,^%s$,${line%%=*}," alone.md >loaded.md
+  "$nineball" explain loaded.md 2>"$why" | sed -n '/^loading/,/^force/p' | diff -u - /dev/fd/3 >>"$why" 3<<END
+loading and damping, at the start of the run
+  ${line#*=}
+force passes at the start of the run, for each pair of materials
+END
+  result $? "one kind of loading or damping: ${line%%=*}"
+done
+sed '/^%s$/d' alone.md >lone.md # no `search` and no shear force that a message names
+"$nineball" explain lone.md >out 2>"$why" && ! grep '(no shear' out &&
+  grep -qx '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), search, periodic cell, boundary, servo, regions' out
+result $? 'what a page with one disc does not use'
 
 # Choices among several stages, motions and conditions. A feature of one stage is used, also if a later stage ends it. The strain of the
 # box replaces the motions of its four walls, not those of the walls before and after it. A shear rate c12 + c21 = 1/2 1/s reaches an
@@ -442,6 +582,12 @@ stage     a
 stage     b
   cell    strain 0 per cycle 0 per cycle c12 -3e-3 per cycle
   until   cell.strain.xy below -10 % at most 9 cycles
+stage     c
+  cell    strain 0 1/s 0 1/s c12 0.5 1/s
+  until   cell.strain.xy above -10 % and A.strain.xy above 20 % at most 9 cycles
+stage     d
+  cell    strain 0 1/s 0 1/s c21 -0.5 1/s
+  until   cell.strain.xy below 10 % and A.strain.xy below 0 and A.strain.xy below -20 % at most 9 cycles
 ```
 END
 "$nineball" explain until.md 2>"$why" | sed -n '/^stages/,/^cost/{/^cost/!p;}' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
@@ -458,14 +604,30 @@ stages
     line 14: until cell.strain.xy below -10 % at most 9 cycles
     line 13: strain rate xx 0, c12 -0.003, c21 0, yy 0 per cycle: simple shear, the engineering shear rate is -0.003 per cycle; xy of a stress becomes positive
     line 14: `cell.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of -10 % within this stage write `cycles 34`
+  c, 1 to 9 cycles: the condition on line 17 decides
+    line 16: cell strain 0 1/s 0 1/s c12 0.5 1/s
+    line 17: until cell.strain.xy above -10 % and A.strain.xy above 20 % at most 9 cycles
+    line 16: strain rate xx 0, c12 0.5, c21 0, yy 0 1/s: simple shear, the engineering shear rate is 0.5 1/s; xy of a stress becomes negative
+    line 17: `A.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of 20 % within this stage write `stage.time above 0.4 s`
+  d, 1 to 9 cycles: the condition on line 20 decides
+    line 19: cell strain 0 1/s 0 1/s c21 -0.5 1/s
+    line 20: until cell.strain.xy below 10 % and A.strain.xy below 0 and A.strain.xy below -20 % at most 9 cycles
+    line 19: strain rate xx 0, c12 0, c21 -0.5, yy 0 1/s: simple shear, the engineering shear rate is -0.5 1/s; xy of a stress becomes positive
+    line 20: `A.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of -20 % within this stage write `stage.time above 0.4 s`
 END
 result $? 'conditions on shear strains, among others'
 for rate in 'boundary strain' 'affine strain'; do
   printf '```scene\nunits si\nmaterial m density 1 kg/m3 kn 3 N/m\ndisc 3 m 3 m radius 1 m m\nregion A all\nboundary circle 0 m 0 m radius 9 m\nstep 1 us\nrecord time\nstage a\n%s 0 1/s 0 1/s c21 0.4 1/s\nuntil A.strain.xy above 10 %% at most 9 cycles\n```\n' "$rate" >shear.md
   "$nineball" explain shear.md >out 2>"$why"
-  test "$(grep -c 'half the engineering' out)" -eq 1 && grep -qx '    line 11: `A.strain.xy` .* strain of 10 % within this stage write `stage.time above 0.25 s`' out
+  test "$(grep -c 'half the engineering' out)" -eq 1 && grep -qx '    line 11: `A.strain.xy` .* strain of 10 % within this stage write `stage.time above 0.25 s`' out &&
+    grep -qx '    line 10: strain rate xx 0, c12 0, c21 0.4, yy 0 1/s: simple shear, the engineering shear rate is 0.4 1/s; xy of a stress becomes negative' out
   result $? "a condition on a shear strain: $rate"
 done
+# A rotation has no engineering shear rate, so no strain xy ends it.
+sed 's/c21 0.4/c12 0.4 1\/s c21 -0.4/' shear.md >turned.md
+"$nineball" explain turned.md >out 2>"$why" && ! grep 'half the engineering' out &&
+  grep -qx '    line 10: strain rate xx 0, c12 0.4, c21 -0.4, yy 0 1/s: shear with rotation, the engineering shear rate is 0 1/s' out
+result $? 'a rotation'
 
 # Two materials with the moduli E_1, E_2: 1/E* is the sum of (1 - nu^2)/E, 1/G* that of 2 (2 - nu) (1 + nu)/E.
 cat >elastic.md <<'END'
@@ -534,6 +696,61 @@ periodic cell -9 -9 to 19 19||||116+17|24+8+20+16|3|periodic cell,
 box -9 -9 to 19 19 m||servo xx 1 on box through box at most 1||116+17|24+24+20+4|5|servo, 
 region A all||||116|24+8+20|3|, regions
 END
+
+# The passes run in the loops and the threads that the options name. A machine may lack the wider loops.
+printf '```scene\nunits none\nmaterial m density 1 kn 1\nlattice discs 40 by 40 radius 1 m spacing 1.99 from 0 0\nstep 0.1\nrecord time\nstage a\ncycles 1\n```\n' >wide.md
+for option in 'isa plain' 'isa avx2' 'isa avx512' 'threads 1' 'threads 2' 'threads 3'; do
+  "$nineball" explain wide.md --${option% *} ${option#* } >out 2>"$why"
+  case $option in
+  isa*) grep -q 'this machine does not run' "$why" || grep -q ", loops for ${option#* }, 1 thread\$" out ;;
+  *) grep -q ", ${option#* } threads*\$" out && { grep -q ' threads$' out || test "$option" = 'threads 1'; } ;;
+  esac
+  result $? "explain --$option"
+done
+
+# The history variables are those of both laws: `hertz_increment` has one, `mindlin` one, and `mindlin_deresiewicz` a row. A page without
+# friction saves 8 bytes for each variable of its shear law.
+for law in 'mindlin' 'mindlin_deresiewicz' 'mindlin_deresiewicz memory 8'; do
+  for friction in 0 1; do
+    printf '```scene\nunits none\nmaterial m density 1 young 1 poisson 0 friction %s\nnormal hertz_increment\nshear %s\nsphere 0 0 radius 1 m\nsphere 2 0 radius 1 m\nstep 0.1\nrecord time\nstage a\ncycles 1\n```\n' $friction "$law" >"smooth$friction.md"
+    "$nineball" explain "smooth$friction.md" 2>"$why"
+  done >out
+  awk '/ history variables? of laws/ { sub(/.*fields, /, ""); n[++k] = $1 } / shear forces \(/ { sub(/.*shear forces \(/, ""); bytes = $1 }
+    END { exit !(k == 2 && n[1] == 1 && n[2] > 1 && bytes == 8*(n[2] - 1)) }' out
+  result $? "history variables of $law"
+done
+
+# The shortest collision is that of the spheres which the text names: 2.94328 alpha/v as in `spheres`, with neither the first particle
+# nor the first wall.
+cat >meet.md <<'END'
+```scene
+units none
+material m density 1 young 1000 poisson 0.2
+normal hertz
+wall w -9 0 to 9 0 m
+wall v 9 0 to 9 9 m
+sphere 0 7 radius 1 m
+sphere 3 3 radius 1 m velocity 2 0
+sphere 20 20 radius 1 m
+sphere 30 20 radius 1 m velocity -9 0
+step 0.01
+record time
+stage a
+cycles 1
+```
+END
+"$nineball" explain meet.md >out 2>"$why" && grep -Eqx '  collision, Hertz: 0.233733, 23.4 steps; particle (3 and particle 4|4 and particle 3) at 9' out &&
+  sed 's/velocity -9 0/fixed/' meet.md >rests.md && "$nineball" explain rests.md >out 2>"$why" && grep -qx '  collision, Hertz: 0.362718, 36.3 steps; particle 2 and wall v at 2' out
+result $? 'the names of those that collide'
+
+# Both warnings of the start of a run: a deep overlap, and a coordinate whose resolution is 0.2 % of the mean overlap.
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 9e12 0 radius 1 m\ndisc 9e12 1 radius 1 m\nstep 0.01\nrecord time\nstage a\ncycles 1\n```\n' >doubtful.md
+"$nineball" explain doubtful.md >out 2>"$why" && grep -q '^doubtful.md:5: warning: particle 2 overlaps particle 1 (line 4) too much at the start: by 1, 50 %' out && grep -q '^doubtful.md:4: warning: particle 1: its coordinate 9e+12 ' out
+result $? 'two warnings of the start'
+
+sed 's/^segment .*/segment slide shear to 9 N hold normal in 9 steps/' wall.md >slides.md
+"$nineball" explain slides.md >out 2>"$why" && sed -n '/^cost/,$p' out | grep -qx '  the time of a step cannot be measured: segment `slide` (line 7), step 1 of 9: a shear force of 1 N cannot be reached; .*'
+result $? 'a contact test that fails in its first step'
 
 # The seconds of each run are its cycles times the time of a cycle, plus the rest that is printed; the last line sums the runs. The lattice
 # has 180 contacts. The time of a cycle agrees with that of a run within a factor of 5.

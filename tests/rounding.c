@@ -190,6 +190,7 @@ static void bits_of_expectations(void) {
       {"A.x within 1 % of A.x max in one", 17},        /* relative to 8 */
       {"A.x expected -1 of A.vx within 1 % [t]", 16},
       {"A.x expected -1 of A.vx within 0.01 [t]", 16}, /* a ratio is its own scale */
+      {"A.x expected -1 of A.vx within 9 [t]", 16},    /* also if no value exceeds the tolerance of the ratio */
       {"A.x max in one above A.y max", 15},
       {"A.y max expected 4 within 1 % [t]", 53},
       {"A.x expected 0 within 8 [t]", -1}, /* no value differs from 0 by more than the tolerance */

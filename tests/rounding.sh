@@ -50,6 +50,9 @@ test "$(bits 1)" = 53 && test "$(bits 3)" = 53 && test "$(bits 2)" -ge 40 && tes
 result $? 'bits of exact and of rounded quantities'
 sed -n '/bits that do not depend/,$p' "$why" | grep -q '^    53  A.x expected 512 within 0 .exact.$'
 result $? 'an expectation is printed without its comment'
+sed 's/^A.x expected/ \t&/; s/exact.  *#/exact] \t #/' free.md >tabs.md
+run 0 check tabs.md --rounding all && sed -n '/bits that do not depend/,$p' "$why" | grep -q '^    53  A.x expected 512 within 0 .exact.$'
+result $? 'an expectation is printed without the tabs around it'
 
 run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >parts &&
   grep -qx '  with one part of the cycle rounded up and down, bits of: B.x expected 1441.6 within 1e-9 .v t.' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
@@ -87,7 +90,8 @@ sed -i 's/^B.x above A.x/B.x above A.x\nB.x decreases with v/; s/decreases/incre
 run 0 check swept.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"
 result $? 'the run with the fewest bits'
 sed 's/0.5 0.7$/0.5 0.7 1/' swept.md >three.md
-run 0 check three.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"
+run 0 check three.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why" &&
+  grep -q '^    53  A.x expected 512 within 0 .exact. (v=0.5)$' "$why" # with as many bits in each run, the first one
 result $? 'the run with the fewest bits is not the last one'
 # Each cycle adds 0.5 + 5e-14 to x > 2^13, whose unit in the last place is 2^-39: only rounding up is not the same as rounding to
 # nearest, by one unit in each of 2^12 cycles. If the disc moves to the left, only rounding down and to zero differ.
@@ -104,10 +108,10 @@ done
 
 # A residual, and a value that is zero within its tolerance, have no bits.
 {
-  sed '/^```expect/,$d; s/^record /record C.vy /; s/velocity 0.7 0/velocity 0.7 1e-14/' free.md
-  printf '```expect\nC.vy expected 0 within 1e-12 [rest]\nA.x expected 512 within 0 [exact]\n```\n'
+  sed '/^```expect/,$d; s/^record /record C.vy A.vy /; s/velocity 0.7 0/velocity 0.7 1e-14/' free.md
+  printf '```expect\nC.vy expected 0 within 1e-12 [rest]\nA.x expected 512 within 0 [exact]\nA.vy expected 0 within 0 [exact]\n```\n'
 } >zero.md
-run 0 check zero.md --rounding all && grep -q '^     -  C.vy expected 0 within 1e-12 .rest.$' "$why" && test "$(bits 2)" = 53
+run 0 check zero.md --rounding all && grep -q '^     -  C.vy expected 0 within 1e-12 .rest.$' "$why" && test "$(bits 2)" = 53 && test "$(bits 3)" = 53
 result $? 'a value of zero has no bits'
 
 run 2 check free.md --rounding sideways && said 'expected `--rounding all` or `parts`, found `sideways`'

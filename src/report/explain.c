@@ -29,7 +29,7 @@
 static bool read_statement(struct nb_reader *reader, const struct nb_scene *scene, size_t line) {
   const unsigned char *kind = scene->page->kind_of;
   struct nb_mistakes none = {0}; /* the page has been read without mistakes */
-  *reader = (struct nb_reader){.page = scene->page, .mistakes = &none, .unitless = scene->unitless};
+  *reader = (struct nb_reader){.page = scene->page, .mistakes = &none};
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
   const bool read = kind[line - 1] == 1 + (scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE) &&
                     nb_line_read(reader, line);
@@ -529,19 +529,19 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
                       : "");
 }
 
-/* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. For
- * such a stage this function prints the statement that ends the stage when the engineering shear strain has this
- * value. */
+/* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. If the
+ * shear has the sign of this value, this function prints the statement that ends the stage when the engineering shear
+ * strain has this value. */
 static void explain_shear_end(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
   static const char xy[] = ".strain.xy";
   const struct nb_strain_rate *const rate = stage->cell_line       ? &stage->cell
                                             : stage->boundary.line ? &stage->boundary.strain
                                                                    : &stage->affine.strain;
   const double sum = rate->xy + rate->yx;
-  for (size_t k = 0; k < stage->condition_count && sum != 0; k++) {
+  for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *const condition = &stage->conditions[k];
     const size_t length = strlen(condition->name), tail = strlen(xy);
-    if (length < tail || strcmp(condition->name + length - tail, xy) != 0)
+    if (length < tail || strcmp(condition->name + length - tail, xy) != 0 || !(condition->value * sum > 0))
       continue;
     fprintf(
         out,
@@ -549,9 +549,9 @@ static void explain_shear_end(FILE *out, const struct nb_scene *scene, const str
         "strain of %g %% within this stage write ",
         condition->line, condition->name, 100 * condition->value);
     if (rate->per_cycle)
-      fprintf(out, "`cycles %.0f`\n", ceil(fabs(condition->value / sum)));
+      fprintf(out, "`cycles %.0f`\n", ceil(condition->value / sum));
     else
-      fprintf(out, "`stage.time above %g%s`\n", fabs(condition->value / sum), nb_unit(scene, " s"));
+      fprintf(out, "`stage.time above %g%s`\n", condition->value / sum, nb_unit(scene, " s"));
   }
 }
 

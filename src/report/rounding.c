@@ -45,7 +45,7 @@ static enum nb_status make(struct nb_outcome *outcome, const struct nb_call *cal
 /* Prints the statement of the page, without indentation and comment. */
 static void print_statement(const struct nb_outcome *outcome, const struct nb_expectation *e) {
   const char *statement = outcome->page.lines[e->line - 1];
-  statement += strspn(statement, " \t>");
+  statement += strspn(statement, " \t");
   size_t length = strcspn(statement, "#");
   while (length > 0 && strchr(" \t", statement[length - 1]))
     length--;
