@@ -1066,7 +1066,14 @@ static void stiffness_of_springs_in_series(void) {
                {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\n"},
                {"C.normal expected 0.05 within 1 % [t]", true, "", "pair m m friction 0\n"},
                {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\npair m m friction 0\n"},
-               {"C.normal expected 0.05 within 1 % [t]", true, "", "material m kn 1\n"}};
+               {"C.normal expected 0.05 within 1 % [t]", true, "", "material m kn 1\n"},
+               /* the cause may stand in any of several lines or stages */
+               {"C.normal expected 0.05 within 1 % [t]", false,
+                "material o density 1 kn 1\npair m m kn 1\npair m o friction 0\n", ""},
+               {"C.normal expected 0.05 within 1 % [t]", false,
+                "material o density 1 kn 1\npair m o friction 0\npair m m kn 1\n", ""},
+               {"C.normal expected 0.05 within 1 % [t]", false, "", "gravity 0 -1e-9\ncycles 1\nstage two\n"},
+               {"C.normal expected 0.05 within 1 % [t]", false, "", "cycles 1\nstage two\ngravity 0 -1e-9\n"}};
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     struct nb_outcome outcome;
     char scene[512];

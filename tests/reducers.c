@@ -199,6 +199,15 @@ static void nothing_to_reduce(void) {
   planted_one("A.x within 9", "A.y", 1, 1, &rows[0].x[0], NB_FAIL, "the reference does not return `A.x`");
   planted_one("A.x versus time within 9", NULL, 0, 1, &rows[0].x[0], NB_FAIL,
               "the reference returns no curve of `A.x`");
+  struct nb_outcome outcome;
+  planted_page(&outcome, "", "A.y versus time within 9");
+  planted_rows(&outcome, 0, 1, (double[]){1});
+  planted_curve(&outcome, 1, (double[]){1}), planted_curve(&outcome, 1, (double[]){1});
+  planted_is(&outcome, NB_FAIL);
+  CU_ASSERT_STRING_EQUAL(
+      outcome.checks[0].message,
+      "the reference returns no curve of `A.y` versus `time`, but `A.x versus time`, `A.x versus time`");
+  nb_outcome_free(&outcome);
 }
 
 static void not_finite(void) {

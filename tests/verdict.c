@@ -272,7 +272,7 @@ static void words(void) {
   planted_is(&outcome, NB_PASS);
   planted_says(&outcome, "computed 5, reference 0, error 5, tolerance 9; the worst of 2 rows, at time = 4");
   nb_outcome_free(&outcome);
-  planted_page(&outcome, "", "A.x   within\t 2  # of something");
+  planted_page(&outcome, "", "A.x \t within\t 2  # of something");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_solution(&outcome, "A.x", 1);
   planted_is(&outcome, NB_PASS);

@@ -83,6 +83,7 @@ static void hidden(void) {
       CU_ASSERT_EQUAL(outcome.checks[1].line, first + rows[k].skipped - 1);
       const char *const label = outcome.checks[1].label, *const at = strstr(rows[k].text, label);
       CU_ASSERT(strlen(label) >= strlen("report A.x") && at != NULL);
+      CU_ASSERT(strchr("Ar", label[0]) != NULL);        /* without the sign of the quotation and the indent */
       CU_ASSERT(at && strchr("\n", at[strlen(label)])); /* the whole line */
     }
     nb_outcome_free(&outcome);

@@ -355,14 +355,13 @@ static const char *scale_note(const struct nb_scene *scene, const char *scale) {
   return ", with `record energy.kinetic` in the scene";
 }
 
-/* Reports a mistyped `peak`, which may stand in place of a measure. */
-static bool is_no_peak(struct nb_reader *reader, const struct nb_scene *scene) {
+/* Reports a mistyped `peak`, which may stand in place of a measure. No quantity has a name near it. */
+static bool is_no_peak(struct nb_reader *reader) {
   char hint[NB_HINT_SIZE];
-  struct nb_quantity quantity;
   const struct nb_token *const token = nb_token_peek(reader);
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   nb_guess_offer(&guess, "peak");
-  return token && nb_guess_found(&guess) && !nb_quantity_find(&quantity, scene, token->text) &&
+  return token && nb_guess_found(&guess) &&
          !nb_expected(reader, nb_guess_hint(&guess, hint), "a quantity that the page records, or `peak`");
 }
 
@@ -377,7 +376,7 @@ static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene
     return true;
   tolerance->kind = nb_token_skip(reader, "peak") ? NB_OF_PEAK : NB_OF_MEASURE;
   return tolerance->kind == NB_OF_PEAK ||
-         (!is_no_peak(reader, scene) && take_measure_like(reader, scene, unit, &tolerance->of));
+         (!is_no_peak(reader) && take_measure_like(reader, scene, unit, &tolerance->of));
 }
 
 /* True if the token after the next one is this word. */

@@ -95,7 +95,7 @@ struct group {
   const struct nb_outcome *outcome;
   size_t first, index; /* index of the first run; index of the expectation in this run */
   const struct nb_expectation *e;
-  bool has_words; /* the values of the sweep are words */
+  bool has_words; /* the values of the sweep are words; a column of a sweep has words or numbers */
 };
 
 /* True if run r differs from run `as` only in these names. */
@@ -324,9 +324,8 @@ static void check_differences(const struct group *group) {
 
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  struct group group = {check, outcome, first, index, e, false};
-  for (size_t r = first; r < outcome->run_count && is_trend(e->kind); r++)
-    group.has_words = group.has_words || isnan(binding_of(&outcome->runs[r], e->against)->value);
+  const bool has_words = is_trend(e->kind) && isnan(binding_of(&outcome->runs[first], e->against)->value);
+  struct group group = {check, outcome, first, index, e, has_words};
   if (e->sample[0])
     (e->kind == NB_EXPECTED ? check_position : check_differences)(&group);
   else
