@@ -214,6 +214,39 @@ static void ring_strain(void) {
          1, {"D.x", 1 + x, "cycle", 3}, {"D.y", 2 + y, "cycle", 3}, {"E.x", 1 + ox, "cycle", 3},
          {"E.y", 2 + oy, "cycle", 3}, {"boundary.area", area, "cycle", 3}, {"energy.kinetic", energy, "cycle", 3},
          {"energy.kinetic", mass / 2 * 0.1, "cycle", 0}, {"boundary.area", 128, "cycle", 0}, {"D.x", 2.5, "cycle", 0});
+  /* The sphere keeps 3/4 of its velocity, and the strain in y leaves 3/4 of the position. */
+  double y4 = 1, v4 = -0.1;
+  for (int n = 0; n < 3; n++)
+    v4 *= 0.75, y4 = 0.75 * y4 + 0.1 * v4;
+  VALUES("ring_strain",
+         "material m density 2 kn 9\nnormal linear\nsphere 2.5 3 radius 1 m velocity 0 -0.1\nsphere 9 2 radius 1 m\n"
+         "sphere 1 10 radius 1 m\nsphere -7 2 radius 1 m\nsphere 1 -6 radius 1 m\nboundary circle 1 2 radius 8\n"
+         "monitor D sphere 1\nstep 0.1\ndamping con1 0.75 as velocity\n" BOTH("0 per cycle -0.25 per cycle", ""),
+         1, {"D.x", 2.5, "cycle", 3}, {"D.y", 2 + y4, "cycle", 3}, {"D.y", 3, "cycle", 0},
+         {"boundary.area", 128 * pow(0.75, 3), "cycle", 3},
+         {"energy.kinetic", mass / 2 * 0.01 * pow(0.75, 6) * pow(1.75 / 2, 2), "cycle", 3});
+  /* `accumulated`: every cycle adds L x to u, and u to x. The boundary keeps to the strain. */
+  const double rates[][3] = {{0.02, -0.03, 0.01}, {0.02, 0, 0}, {-0.01, 0.02, 0}};
+  for (int k = 0; k < 3; k++) {
+    const double rxx = rates[k][0], ryy = rates[k][1], rxy = rates[k][2];
+    double ux = 0, uy = 0;
+    x = 1.5, y = 1, ox = 8, oy = 0, area = 128;
+    for (int n = 0; n < 9; n++) {
+      ux += rxx * x + rxy * y, uy += rxy * x + ryy * y, x += ux, y += uy, area *= (1 + rxx) * (1 + ryy) - rxy * rxy;
+      const double px = ox + rxx * ox + rxy * oy, py = oy + rxy * ox + ryy * oy;
+      ox = px, oy = py;
+    }
+    char page[1024];
+    snprintf(page, sizeof page,
+             "material m density 2 kn 9\nnormal linear\nsphere 2.5 3 radius 1 m\nsphere 9 2 radius 1 m\n"
+             "sphere 1 10 radius 1 m\nsphere -7 2 radius 1 m\nsphere 1 -6 radius 1 m\nboundary circle 1 2 radius 8\n"
+             "monitor E sphere 2\nmonitor D sphere 1\nstep 0.1\nstage s\n"
+             "boundary strain %.17g per cycle %.17g per cycle shear %.17g per cycle\n"
+             "affine strain %.17g per cycle %.17g per cycle shear %.17g per cycle accumulated\ncycles 9\n",
+             rxx, ryy, rxy, rxx, ryy, rxy);
+    VALUES("ring_strain", page, 1, {"D.x", 1 + x, "cycle", 9}, {"D.y", 2 + y, "cycle", 9}, {"D.x", 2.5, "cycle", 0},
+           {"E.x", 1 + ox, "cycle", 9}, {"E.y", 2 + oy, "cycle", 9}, {"boundary.area", area, "cycle", 9});
+  }
 #undef SAME
 #undef DAMPED
 #undef BOTH
@@ -242,6 +275,9 @@ static void stress_ring(void) {
   PARTS("stress_ring", SEVEN("@"), {"", NULL}, {"stage u\nboundary stress 0.02 0.03\ncycles 1\n", ISOTROPIC},
         {"stage u\nboundary stress 0.02 0.02 shear -0.001\ncycles 1\n", ISOTROPIC}, {"stage u\ncycles 1\n", ISOTROPIC});
 #undef ISOTROPIC
+  /* contacts cannot pull */
+  refs_check_error("stress_ring", SEVEN("stage u\nboundary stress -0.02 -0.02\ncycles 1\n"),
+                   "the reference `stress_ring` finds no equilibrium of these spheres under this stress");
 }
 
 /* Nine discs in a periodic cell. Only the last disc differs, or its velocity. */

@@ -5,6 +5,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "refs_scenes.h"
@@ -131,6 +132,52 @@ static void one_contact_values(void) {
            {"energy.kinetic", m * (0.01 * 0.01 + 0.06 * 0.06 + 1.6 * 0.04 * 0.04) / 2}, {"momentum.x", -0.01 * m},
            {"momentum.y", -0.06 * m}, {"momentum.angular", m * (3 * -0.06 + 1.99 * 0.01 + 1.6 * 0.04)});
   }
+  /* a light sphere above the wall, whose dashpots have no effect */
+  const double m = pi * 32 / 3;
+  VALUES("one_contact",
+         "material h density 1 kn 10 ks 7" STICKS LINEAR "damping stiffness 0.5\nwall w -9 0 to 9 0 h\n"
+         "sphere 3 2.25 radius 2 h spin 0.5 velocity -1 -0.25\nmonitor A sphere 1\nmonitor C sphere 1 with wall "
+         "w\n" CYCLES("50"),
+         1, {"A.x", 2.5}, {"A.y", 2.125}, {"A.angle", 0.25}, {"A.vx", -1}, {"A.vy", -0.25}, {"A.spin", 0.5},
+         {"C.overlap", 0}, {"C.normal", 0}, {"C.shear", 0}, {"energy.stored", 0}, {"energy.balance", 0},
+         {"energy.kinetic", m * (1 + 0.0625 + 1.6 * 0.25) / 2}, {"momentum.x", -m}, {"momentum.y", -0.25 * m},
+         {"momentum.angular", m * (2.5 * -0.25 + 2.125 + 1.6 * 0.5)});
+}
+
+/* A sphere of m = 32 pi/3 on a spring of k = 10 oscillates in a run so long that a thousandth of it needs more steps of
+ * (m/k)^(1/2)/5, or shorter, than the method may use. */
+static void one_contact_that_lasts_too_long(void) {
+  static const char beyond[] = "the equations of motion could not be solved beyond ";
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(refs_solve(&solution, "one_contact",
+                             "material h density 1 kn 10\n" LINEAR "wall w -9 0 to 9 0 h\nsphere 0 1.9 radius 2 h "
+                             "velocity 0 -0.1\nstep 1\nstage s\ncycles 1000000000\n",
+                             &error),
+                  NB_BROKEN);
+  CU_ASSERT_FATAL(strncmp(error.text, beyond, strlen(beyond)) == 0);
+  char *end;
+  const double time = strtod(error.text + strlen(beyond), &end), longest = 1e5 * sqrt(32 * pi / 30) / 5;
+  CU_ASSERT_STRING_EQUAL(end, " s");
+  CU_ASSERT(time > longest / 5 && time <= longest);
+  solution_free(&solution);
+}
+
+/* A particle that is fixed moves on and has no momentum; `shear none` leaves friction without effect; a wall may have
+ * dashpots of its own. */
+static void one_contact_of_other_kinds(void) {
+  const double m = 1e30 * pi * 4 / 3, overlap = 0.005;
+  VALUES("one_contact",
+         HEAVY STICKS
+         "normal linear\nshear none\ndamping stiffness 1\nsphere 3 -2 radius 2 h velocity 0.01 0.02 spin 0.03 fixed\n"
+         "sphere 3 0.99 radius 1 h velocity 0.01 0.03 spin 0.05\nmonitor A sphere 1\nmonitor B sphere 2\n"
+         "monitor C sphere 1 with sphere 2\n" CYCLES("50"),
+         1, {"A.x", 3.005}, {"A.y", -1.99}, {"A.angle", 0.015}, {"A.vx", 0.01}, {"A.vy", 0.02}, {"A.spin", 0.03},
+         {"B.x", 3.005}, {"B.y", 1.005}, {"B.angle", 0.025}, {"B.vx", 0.01}, {"B.vy", 0.03}, {"B.spin", 0.05},
+         {"C.overlap", overlap}, {"C.normal", 10 * overlap}, {"C.shear", 0}, {"energy.stored", 5 * overlap * overlap},
+         {"energy.balance", 0}, {"energy.kinetic", m * (0.01 * 0.01 + 0.03 * 0.03 + 0.4 * 0.0025) / 2},
+         {"momentum.x", 0.01 * m}, {"momentum.y", 0.03 * m},
+         {"momentum.angular", m * (3.005 * 0.03 - 1.005 * 0.01 + 0.4 * 0.05)});
 }
 #undef HEAVY
 #undef STICKS
@@ -553,14 +600,119 @@ static void wall_end(void) {
       {HITS("9.5", "4", "0.01", "-0.02"), NULL},  {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     refs_check_message("wall_end", parts[k].text, parts[k].message);
+  refs_check_message("wall_end", HITS("13", "0", "-0.3", "0") "stage t\ncycles 1\n", NULL);
 #undef TOWARD
 #undef BESIDE
+}
+static void other_numbers_than_one_particle_and_one_wall(void) {
+#define OTHER(more)                                                                                                    \
+  "material m density 1 kn 20\nnormal linear\ndisc 13 9 radius 2 m velocity -1 0\nwall w 3 9 to 10 9 m\n" more         \
+  "step 0.1\nstage s\ncycles 1\n"
+  PARTS("wall_end", OTHER("@"), {"", NULL}, {"disc 30 9 radius 2 m\n", "one particle and one wall"},
+        {"wall v 3 19 to 10 19 m\n", "one particle and one wall"});
+#undef OTHER
+}
+
+/* A disc of m = 5, R = 2 and I = 10 touches, from the left, a wall of length 13 that turns with W = 0.5 about the point
+ * P = (3, 4). The wall has the direction (0.6, 0.8) and is at the distance 4.5 to the right of P. The centre is at the
+ * distances s along the wall and n = -2.5 to its left, from P. s = s_0 cosh(q t) with q = W (2/3)^(1/2). */
+#define TURNS(disc, motion, spin, friction, step, stages)                                                              \
+  "material m density (5/(4*pi)) kn 30 ks 12 friction 9\nmaterial b kn 15 ks 6 friction " friction "\nnormal linear\n" \
+  "shear linear\nwall w (3 + 3.6 - 0.6*3) (4 - 2.7 - 0.8*3) to (3 + 3.6 + 0.6*10) (4 - 2.7 + 0.8*10) b about 3 4 "     \
+  "spin " spin "\ndisc " disc " radius 2 m " motion                                                                    \
+  "\nmonitor D disc 1\nmonitor C disc 1 with wall w\nmonitor W wall w\nstep " step "\n" stages
+/* The velocity and the spin of a disc at s = 1 that moves with the wall. */
+#define ALONG(s) "(3 + 0.6*(" s ") + 0.8*2.5) (4 + 0.8*(" s ") - 0.6*2.5)"
+#define WITH(w, s) "velocity (-(" w ")*(0.8*(" s ") - 0.6*2.5)) ((" w ")*(0.6*(" s ") + 0.8*2.5)) spin " w
+static void turning_wall(void) {
+  static const char *const pages[] = {
+      TURNS(ALONG("1"), WITH("0.5", "1"), "0.5", "0.8", "0.1", "stage a\ncycles 5\nstage b\ncycles 4\n"),
+      TURNS(ALONG("1"), WITH("(-0.5)", "1"), "-0.5", "0.8", "0.1", "stage a\ncycles 5\nstage b\ncycles 4\n")};
+  for (int k = 0; k < 2; k++) {
+    const double w = k ? -0.5 : 0.5, q = w * sqrt(2. / 3), n = -2.5, t = 0.7;
+    const double s = cosh(q * t), ds = q * sinh(q * t), dds = q * q * s, ex = 0.6 * cos(w * t) - 0.8 * sin(w * t),
+                 ey = 0.8 * cos(w * t) + 0.6 * sin(w * t);
+    VALUES("turning_wall", pages[k], 1, {"D.x", 3 + 0.6 + 2, "time", 0}, {"D.y", 4 + 0.8 - 1.5, "time", 0},
+           {"D.spin", w, "time", 0}, {"D.x", 3 + s * ex - n * ey, "time", t}, {"D.y", 4 + s * ey + n * ex, "time", t},
+           {"D.spin", w - ds / 2, "time", t}, {"C.normal", 5 * (2 * w * ds - w * w * n), "time", t},
+           {"C.shear", -10. / 4 * dds, "time", t});
+  }
+#define BEGINS "a particle that turns with the wall at first"
+#define TOUCHES "a particle that just touches the wall"
+#define STEADY "a wall whose motion no stage changes"
+#define TIMED "a step given as a time, such as `step 1 us`"
+#define SLIDES "a particle that does not slide on the wall until the end of the run"
+#define LONG "a wall so long that the particle does not reach its end during the run"
+#define RUN "stage a\ncycles 5\nstage b\ncycles 4\n"
+  PARTS("turning_wall", TURNS(ALONG("1"), "@", "0.5", "0.8", "0.1", RUN), {WITH("0.5", "1"), NULL},
+        {WITH("0.5", "1.00001"), BEGINS}, {WITH("-0.5", "1"), BEGINS},
+        {"velocity (-0.5*(0.8 - 0.6*2.5)) (0.5*(0.6 + 0.8*2.5)) spin 0.4", BEGINS},
+        {"velocity (-0.5*(0.8 - 0.6*2.5)) (0.5*(0.6 + 0.8*2.5) + 1e-8) spin 0.5", BEGINS},
+        {"velocity (-0.5*(0.8 - 0.6*2.5) + 1e-8) (0.5*(0.6 + 0.8*2.5)) spin 0.5", BEGINS},
+        {"velocity (-0.5*(0.8 - 0.6*2.5) + 1e-10) (0.5*(0.6 + 0.8*2.5) - 1e-10) spin 0.5", NULL});
+  PARTS("turning_wall", TURNS(ALONG("1"), WITH("(-0.5)", "1"), "-0.5", "@", "0.1", RUN), {"0.8", NULL},
+        {"0.1", SLIDES});
+  /* at s_0 = 1: F = 5/12, N = 25/8 and F/N = 2/15; the ratio decreases with time */
+  PARTS("turning_wall", TURNS(ALONG("1"), WITH("0.5", "1"), "0.5", "@", "0.1", "stage a\ncycles 1\n"),
+        {"0.133", SLIDES}, {"0.14", NULL});
+  PARTS("turning_wall", TURNS(ALONG("1"), WITH("0.5", "1"), "0.5", "0.8", "0.1", "@"), {RUN, NULL},
+        {"stage a\ncycles 5\nstage b\nwall w spin 0.5\ncycles 4\n", STEADY},
+        {"wall v 30 40 to 50 60 b\nstage s\ncycles 1\n", "one particle and one wall"},
+        {"disc 30 40 radius 2 m\nstage s\ncycles 1\n", "one particle and one wall"});
+  PARTS("turning_wall", TURNS(ALONG("1"), WITH("0.5", "1"), "0.5", "0.8", "@", RUN), {"0.1 of stable", TIMED});
+  /* the distance of the centre from the line of the wall, to 1e-9 of the radius */
+  PARTS("turning_wall", TURNS("@", WITH("0.5", "1"), "0.5", "0.8", "0.1", RUN),
+        {"(3 + 0.6 + 0.8*(2.5 + 1e-9)) (4 + 0.8 - 0.6*(2.5 + 1e-9))", NULL},
+        {"(3 + 0.6 + 0.8*(2.5 - 1e-9)) (4 + 0.8 - 0.6*(2.5 - 1e-9))", NULL},
+        {"(3 + 0.6 + 0.8*(2.5 + 2.5e-9)) (4 + 0.8 - 0.6*(2.5 + 2.5e-9))", TOUCHES},
+        {"(3 + 0.6 + 0.8*(2.5 - 2.5e-9)) (4 + 0.8 - 0.6*(2.5 - 2.5e-9))", TOUCHES});
+  /* s = 1.0625 s_0 at the end; the ends of the wall are at -3 and 10 */
+  const double grows = cosh(0.5 * sqrt(2. / 3) * 0.9);
+  for (int k = 0; k < 4; k++) {
+    char page[2048];
+    const double s = (k < 2 ? -3 : 10) / grows * (k % 2 ? 1 + 1e-7 : 1 - 1e-7);
+    snprintf(page, sizeof page, TURNS(ALONG("%.17g"), WITH("0.5", "%.17g"), "0.5", "9", "0.1", RUN), s, s, s, s);
+    refs_check_message("turning_wall", page, k % 2 ? LONG : NULL);
+  }
+#undef BEGINS
+#undef TOUCHES
+#undef STEADY
+#undef TIMED
+#undef SLIDES
+#undef LONG
+#undef RUN
+}
+#undef ALONG
+#undef WITH
+
+/* Spheres of the radii 1 and 2 between walls. */
+static void stacked(void) {
+#define STACK(gravity, of)                                                                                             \
+  "material m density 1 kn 20\nnormal linear\ngravity " gravity "\nwall a -3 0 to 9 0 m\nwall b -3 6 to 9 6 m\n" of    \
+  "step 0.1\nstage s\ncycles 1\n"
+#define TWO                                                                                                            \
+  "two spheres without horizontal velocity, sphere 1 vertically below sphere 2, between two horizontal walls, first "  \
+  "the floor, then the ceiling"
+  PARTS("stacked", STACK("0 -1", "@"), {"sphere 1 1 radius 1 m\nsphere 1 4 radius 2 m velocity 0 -1\n", NULL},
+        {"sphere 1 4 radius 2 m\nsphere 1 1 radius 1 m\n", TWO}, {"sphere 1 1 radius 1 m\n", TWO},
+        {"sphere 1 1 radius 1 m\nsphere 1 4 radius 2 m\nsphere 30 4 radius 2 m\n", TWO},
+        {"sphere 1 1 radius 1 m\nsphere 1 4 radius 2 m\nwall c -3 60 to 9 60 m\n", TWO},
+        {"sphere 1 1 radius 1 m\nsphere 1.001 4 radius 2 m\n", TWO},
+        {"sphere 1 1 radius 1 m velocity 0.1 0\nsphere 1 4 radius 2 m\n", TWO},
+        {"sphere 1 1 radius 1 m\nsphere 1 4 radius 2 m velocity -0.1 0\n", TWO},
+        {"sphere -3.1 1 radius 1 m\nsphere -3.1 4 radius 2 m\n", TWO});
+  PARTS("stacked", STACK("@", "sphere 1 1 radius 1 m\nsphere 1 4 radius 2 m\n"), {"0 1", NULL},
+        {"0.1 -1", "vertical gravity"}, {"-0.1 -1", "vertical gravity"});
+#undef STACK
+#undef TWO
 }
 
 void suite_refs_motion(void) {
   CU_pSuite suite = CU_add_suite("refs_motion", NULL, refs_released);
   CU_ADD_TEST(suite, one_contact_covers);
   CU_ADD_TEST(suite, one_contact_values);
+  CU_ADD_TEST(suite, one_contact_of_other_kinds);
+  CU_ADD_TEST(suite, one_contact_that_lasts_too_long);
   CU_ADD_TEST(suite, incline);
   CU_ADD_TEST(suite, many_bounces);
   CU_ADD_TEST(suite, last_contact);
@@ -572,4 +724,7 @@ void suite_refs_motion(void) {
   CU_ADD_TEST(suite, rebound);
   CU_ADD_TEST(suite, time_reversal);
   CU_ADD_TEST(suite, wall_end);
+  CU_ADD_TEST(suite, other_numbers_than_one_particle_and_one_wall);
+  CU_ADD_TEST(suite, turning_wall);
+  CU_ADD_TEST(suite, stacked);
 }

@@ -163,10 +163,16 @@ static void path_randall(void) {
          AT("t", u, tt, wt), LAST(u, tt, wt));
   snprintf(page, sizeof page,
            TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment v overlap to 0.05 in 4 steps\n"
-                              "segment w slip by %.17g in 2 steps\n"),
-           5 * u, deficit / 2);
+                              "segment w slip by %.17g in 1 step\nsegment y slip by %.17g in 1 step\n"),
+           5 * u, deficit / 2, deficit);
+  /* the other half of the deficit, then the curve of loading, from x to x + deficit/2 */
+  const double nv = 0.8 * hertz(0.05), wide = mindlin_limit() * 0.05, ta = tq + stiff * deficit;
+  const double x = wide * (1 - pow(1 - ta / nv, 2. / 3)), tl = nv * mindlin_force(x + deficit / 2, wide);
+  const double wl =
+      ww + (tw + ta) / 2 * deficit / 2 + nv * (mindlin_work(x + deficit / 2, wide) - mindlin_work(x, wide));
   VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("v", 5 * u, tq, wq),
-         AT("w", 5 * u + deficit / 2, tw, ww), LAST(5 * u + deficit / 2, tw, ww));
+         AT("w", 5 * u + deficit / 2, tw, ww), AT("y", 5 * u + 1.5 * deficit, tl, wl),
+         LAST(5 * u + 1.5 * deficit, tl, wl));
   const double td = tt - stiff * deficit / 2, wd = wt - (tt + td) / 2 * deficit / 2; /* the same in re-unloading */
   snprintf(page, sizeof page,
            TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 3 steps\n"
@@ -192,6 +198,58 @@ static void path_randall(void) {
            5 * u, -6 * u);
   VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, tr, wr), AT("x", -u, ty, wr),
          LAST(-u, ty, wr));
+}
+
+/* The force on a curve of R89 after the displacement `slip`, and the work by Simpson's rule. T = from + sign size (1 - u),
+ * and u^(2/3) falls by slip/scale; it is w at first. */
+struct curve {
+  double from, sign, size, scale, w;
+};
+static double on_curve(const struct curve *at, double slip) {
+  return at->from + at->sign * at->size * (1 - pow(at->w - at->sign * slip / at->scale, 1.5));
+}
+static double curve_work(const struct curve *at, double slip) {
+  double sum = 0;
+  for (int k = 0; k < 1000; k++)
+    sum += (on_curve(at, slip * k / 1000) + 4 * on_curve(at, slip * (k + 0.5) / 1000) +
+            on_curve(at, slip * (k + 1) / 1000));
+  return sum * slip / 6000;
+}
+
+/* `randall_literal`: a decrease of N leaves T unchanged, while T* decreases and T** increases by mu |dN|. If T is then
+ * above T*, the next displacement loads the contact; if T is below T** in reloading, it unloads the contact. */
+static void path_randall_literal(void) {
+  const double n = 0.8 * hertz(0.04), length = mindlin_limit() * 0.04, u = length / 10;
+  const double tq = n * mindlin_force(5 * u, length), wq = n * mindlin_work(5 * u, length);
+  const double tr = tq - 2 * n * mindlin_force(u, 2 * length), wr = wq - tq * u + 2 * n * mindlin_work(u, 2 * length);
+  const double m = 0.8 * hertz(0.034), narrow = mindlin_limit() * 0.034;
+  CU_ASSERT(tq - (n - m) < tr);
+  const struct curve loads = {0, 1, m, narrow, pow(1 - tr / m, 2. / 3)};
+  const double tt = on_curve(&loads, u), wt = wr + curve_work(&loads, u);
+  char page[1024];
+  snprintf(page, sizeof page,
+           TOUCHES("randall_literal", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 2 steps\n"
+                                      "segment s overlap to 0.034 in 2 steps\nsegment t slip by %.17g in 2 steps\n"),
+           5 * u, -u, u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", 4 * u, tr, wr),
+         AT("s", 4 * u, tr, wr), AT("t", 5 * u, tt, wt), LAST(5 * u, tt, wt));
+  /* reloading has u = 1 - (T - T*)/(2 mu N) [R89 4.24] */
+  const double low = tq - 2 * n * mindlin_force(6 * u, 2 * length);
+  const double wlow = wq - tq * 6 * u + 2 * n * mindlin_work(6 * u, 2 * length);
+  const struct curve reloads = {tq, 1, 2 * n, 2 * length, pow(1 - (low - tq) / (2 * n), 2. / 3)};
+  const double ts = on_curve(&reloads, 2 * u), ws = wlow + curve_work(&reloads, 2 * u);
+  const double o = 0.8 * hertz(0.03), star = tq - (n - o);
+  CU_ASSERT(low + (n - o) > ts && ts < star);
+  const struct curve unloads = {star, -1, 2 * o, 2 * mindlin_limit() * 0.03, pow(1 - (star - ts) / (2 * o), 2. / 3)};
+  const double tv = on_curve(&unloads, -u), wv = ws + curve_work(&unloads, -u);
+  snprintf(page, sizeof page,
+           TOUCHES("randall_literal", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 2 steps\n"
+                                      "segment s slip by %.17g in 1 step\nsegment t overlap to 0.03 in 3 steps\n"
+                                      "segment v slip by %.17g in 2 steps\n"),
+           5 * u, -6 * u, 2 * u, -u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", -u, low, wlow), AT("s", u, ts, ws),
+         AT("t", u, ts, ws), AT("v", 0, tv, wv), {"slip", 0}, {"shear", tv}, {"work.shear", wv},
+         {"slip", -u, "step", 9}, {"shear", low, "step", 9}, {"work.shear", wlow, "step", 9});
 #undef LAST
 #undef AT
 }
@@ -240,5 +298,6 @@ void suite_refs_paths(void) {
   CU_ADD_TEST(suite, path_springs);
   CU_ADD_TEST(suite, forces_above_the_limit);
   CU_ADD_TEST(suite, path_randall);
+  CU_ADD_TEST(suite, path_randall_literal);
   CU_ADD_TEST(suite, paths_that_randall_does_not_cover);
 }

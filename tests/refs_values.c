@@ -489,7 +489,7 @@ static void packing(void) {
   snprintf(list, sizeof list, "%s/three", folder), snprintf(state, sizeof state, "%s/three.state", folder);
   written_text(list, "x/-\ty/-\tradius/-\n0\t0\t1\n1.5\t0\t1\n9\t0\t2\n");
   written_text(state, "body 2 disc m free 0x1p+0 1.25 -0x1p-1 3 4 5 6\nbody 3 disc m free 2 9.5 0.25 3 4 5 6\n"
-                      "contact 1 body 3 heard 9 8 0.5 0.6 0.7 0.8\nfields overlap normals normal ex\n"
+                      "contact 1 body 3 heard 9 8 0.5 0.6 0.7 0.8\nfields memory normals normal ex\n"
                       "contact 1 body 2 heard 9 8 0.1 0.2 0.3 0.4\ncontact 2 body 3 heard 9 8 0.5 0.6 0.9 0.8\n"
                       "contact 2 wall f heard 9 8 1.1 1.2 1.3 1.4\n");
 #define READS                                                                                                          \
@@ -787,6 +787,23 @@ static void spheres_that_are_not_equal(void) {
   }
 }
 
+/* For nu = 0, alpha^2 = 3 - 5^(1/2) is the root of x^3 - 8 x^2 + 16 x - 8 = (x - 2) (x^2 - 6 x + 4). The error of the
+ * velocities is known for R89's steps only. */
+static void rayleigh_step(void) {
+  const double fits = pi * sqrt(2) / 0.876605, step = pi * sqrt(2 / (3 - sqrt(5)));
+#define OF(first, third)                                                                                               \
+  "material a density 1 young 1 poisson 0\nmaterial r density 1 rigid\nnormal hertz\n"                                 \
+  "sphere 0 0 radius 1 " first                                                                                         \
+  " velocity 0.3 0.1\nsphere 3 1 radius 1 a velocity -0.3 -0.1\nsphere 9 9 radius 1 " third                            \
+  "\nmonitor D sphere 1\nmonitor E sphere 2\nmonitor F sphere 3\nstep 0.01\nstage s\ncycles 1\n"
+  VALUES("rayleigh_step", OF("a", "a"), 0, {"step.rayleigh", step}, {"step.rayleigh-fit", fits},
+         {"step.rayleigh-mean", step}, {"step.rayleigh-fit-mean", fits}, {"D.vx", -0.3}, {"D.vy", -0.1}, {"E.vx", 0.3},
+         {"E.vy", 0.1});
+  refs_check_message("rayleigh_step", OF("r", "a"), "elastic particles");
+  refs_check_message("rayleigh_step", OF("a", "r"), "elastic particles");
+#undef OF
+}
+
 /* A particle of mass 2 pi with the moment of inertia pi. In a cell its angular momentum has no value. */
 static void momentum(void) {
 #define MOVES                                                                                                          \
@@ -870,6 +887,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, taken_out);
   CU_ADD_TEST(suite, two_walls);
   CU_ADD_TEST(suite, spheres_that_are_not_equal);
+  CU_ADD_TEST(suite, rayleigh_step);
   CU_ADD_TEST(suite, momentum);
   CU_ADD_TEST(suite, filling);
 }

@@ -179,7 +179,7 @@ static enum nb_status solve_equations(struct pair *pair, double y[], double end,
   if (!driver)
     return nb_error_memory(error);
   gsl_odeiv2_driver_set_hmax(driver, timescale / 5);
-  gsl_odeiv2_driver_set_nmax(driver, 1000000);
+  gsl_odeiv2_driver_set_nmax(driver, 100000);
   enum nb_status status = check_contact(pair, y, error);
   double time = 0;
   for (int k = 1; k <= SAMPLES && !status; k++) {

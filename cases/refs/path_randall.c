@@ -147,7 +147,7 @@ static bool apply_overlap(struct contact *it, double alpha) {
   if (it->sense == RELOADING && it->force < it->star2) /* `randall_literal`: T is constant while T** increases */
     it->sense = UNLOADING;
   if (it->sense != LOADING && it->force >= it->star)
-    it->sense = LOADING, it->deficit = 0;
+    it->sense = LOADING;
   return it->force >= (it->sense == LOADING ? 0 : -it->star) && it->force < limit(it);
 }
 

@@ -100,7 +100,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     char name[3 * NB_NAME_SIZE];
     const struct nb_monitor *monitor = &scene->monitors[w];
     const bool particle = monitor->kind == NB_MONITOR_PARTICLE;
-    if ((!particle && monitor->kind != NB_MONITOR_PARTICLE_PARTICLE) || (monitor->a != 2 && monitor->b != 2))
+    if (monitor->a != 2 && monitor->b != 2)
       continue;
     snprintf(name, sizeof name, "%s.%s", monitor->name, particle ? "vy" : "overlap max");
     solution_value(solution, particle ? speed : largest, name);

@@ -82,8 +82,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
     const struct nb_material *of = &scene->materials[particle->material];
-    if (particle->fixed || !(of->young > 0) || isinf(of->young))
-      return nb_error_set(error, NB_BAD_USE, "the reference `rayleigh_step` is for free elastic particles");
+    if (isinf(of->young))
+      return nb_error_set(error, NB_BAD_USE, "the reference `rayleigh_step` is for elastic particles");
     const struct grain grain = {particle->radius, of->density, of->young / (2 + 2 * of->poisson), of->poisson};
     for (int fit = 0; fit < 2; fit++)
       shortest[fit] = fmin(shortest[fit], travel_time(grain, fit));

@@ -6,6 +6,7 @@
  * of v that damping leaves in one cycle:
  *
  *   x_N = A^N x_0 + dt k (A - k)^-1 (A^N - k^N) v_0                      v_0 = 0 on the boundary
+ *                                            N A^(N-1) for (A - k)^-1 (A^N - k^N) along an axis on which A is k
  *   v_N = k^N (1 + k)/2 v_0                                              N >= 1: the mean of the half steps
  *   kinetic energy  sum m v_N^2/2 over the particles inside
  *   the area of the boundary is proportional to (det A)^N
@@ -61,7 +62,8 @@ static double at(const void *data, double n) {
     return it->level * (n > 0 ? pow(it->keep, 2 * n) * (1 + it->keep) * (1 + it->keep) / 4 : 1);
   for (int k = 0; k < 2; k++) {
     const double a = 1 + it->gain[k], grown = pow(a, n);
-    const double own = it->keep * (grown - pow(it->keep, n)) / (a - it->keep) * it->step[k];
+    const double moved = a == it->keep ? n * pow(a, n - 1) : (grown - pow(it->keep, n)) / (a - it->keep);
+    const double own = it->keep * moved * it->step[k];
     const double along = it->accumulated ? accumulated_growth(it->gain[k], n) * it->x[k] : grown * it->x[k] + own;
     x += along * it->axis[k][0], y += along * it->axis[k][1];
   }

@@ -50,7 +50,7 @@ static void advance(struct motion *m, double time) {
 /* Applies what the stage changes at its beginning. False: it changes something that the reference does not cover. */
 static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   if (stage->rotation == NB_ROTATION_OFF) {
-    m->removed += m->rotates ? m->inertia * m->w * m->w / 2 : 0;
+    m->removed += m->inertia * m->w * m->w / 2;
     m->w = 0, m->rotates = false;
   }
   m->rotates = m->rotates || stage->rotation == NB_ROTATION_ON;
@@ -58,7 +58,7 @@ static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   m->slip = fabs(slip) > 1e-12 * fmax(m->v, fabs(m->r * m->w)) ? slip : 0; /* rolling: only rounding is left */
   for (size_t k = 0; k < stage->change_count; k++) {
     const struct nb_change *change = &stage->changes[k];
-    if (change->b < 0 || change->ramp || !isnan(change->kn) || !isnan(change->ks) || !isnan(change->cohesion))
+    if (change->b < 0 || change->ramp || !isnan(change->kn) || !isnan(change->ks))
       return false;
     m->mu = change->friction;
   }
