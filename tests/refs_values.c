@@ -90,11 +90,13 @@ static void cohesion(void) {
         {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n"
          "pair d s friction 0 cohesion 1\n",
          "a stop with neither friction nor cohesion"},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p velocity 0.02 0\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n",
+         KIND},
         {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p velocity 0 0.1\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n",
          KIND},
-        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5.1 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n", KIND},
-        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9.1 p\nwall stop 7 6 to 7 8 s\n", KIND},
-        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7.1 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 4.95 to 9 5.05 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 8.95 to 9 9.05 p\nwall stop 7 6 to 7 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\nwall stop 6.95 6 to 7.05 8 s\n", KIND},
         {"disc 5 7 radius 2 d\nwall low 0 (5 - 1e-8) to 9 (5 - 1e-8) p\nwall high 0 9 to 9 9 p\n"
          "wall stop 7 6 to 7 8 s\n",
          KIND},
@@ -109,7 +111,9 @@ static void cohesion(void) {
          KIND},
         {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 9 to 9 9 p\n"
          "wall stop (7 + 1e-8) 6 to (7 + 1e-8) 8 s\n",
-         KIND});
+         KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 9 to 9 9 p\nwall high 0 9 to 9 9 p\nwall stop 7 6 to 7 8 s\n", KIND},
+        {"disc 5 7 radius 2 d\nwall low 0 5 to 9 5 p\nwall high 0 5 to 9 5 p\nwall stop 7 6 to 7 8 s\n", KIND});
 #undef KIND
 #undef DRAG
 }
@@ -389,6 +393,15 @@ static void changed_law(void) {
              least / (32 * pi / 3) * (k ? 1.0001 : 0.9999));
     refs_check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
   }
+  /* Hertz's contact is stiffer than a linear spring of 0.1. */
+  const double secant = 4. / 3 * (2 / 0.9375) * sqrt(2 * overlap);
+  CU_ASSERT(secant > 0.1);
+  for (int k = 0; k < 2; k++) {
+    snprintf(page, sizeof page,
+             SLIDES("%.17g", "0.8", "-9 5 to 9 5", "pair g w kn 0.1\nstage s\nshear none\ncycles 18\n"),
+             secant * end * end / 2 / 1e-13 / (32 * pi / 3) * (k ? 1.0001 : 0.9999));
+    refs_check_message("changed_law", page, k ? NULL : "a sphere so heavy that its contact does not move it");
+  }
   /* The laws of a stage apply up to its end, t = 1, included: linear springs, without sliding.
    * The normal e = (0, -1) from the sphere to the wall gives t = (-1, 0), and the sphere moves along t by 0.01 t. */
   const double hertz = 4. / 3 * (2 / 0.9375) * sqrt(2) * pow(overlap, 1.5);
@@ -401,10 +414,11 @@ static void changed_law(void) {
 
 /* A heavy sphere of radius 2 at (5, 6.99), pressed by 0.01 against a wall below it, at y = 5, or above it, at y = 8.98.
  * k_n = 15, k_s = 6, E* = 2/0.9375, G* = 1.6/3.5 and the friction is 0.8. */
-#define SLIDES(wall, speed, stages)                                                                                    \
+#define SLIDES(wall, speed, stages) BEGINS("normal linear\nshear linear", wall, speed, stages)
+#define BEGINS(laws, wall, speed, stages)                                                                              \
   "material g density 1e30 young 4 poisson 0.25 kn 30 ks 12 friction 0.8\n"                                            \
-  "material w kn 10 ks 4 young 4 poisson 0.25 friction 0.9\nnormal linear\nshear linear\nsphere 5 6.99 radius 2 g\n"   \
-  "wall f " wall " w velocity " speed " 0\nmonitor D sphere 1\nmonitor C sphere 1 with wall f\nstep 0.1\n" stages
+  "material w kn 10 ks 4 young 4 poisson 0.25 friction 0.9\n" laws "\nsphere 5 6.99 radius 2 g\nwall f " wall          \
+  " w velocity " speed " 0\nmonitor D sphere 1\nmonitor C sphere 1 with wall f\nstep 0.1\n" stages
 #define LONG "a wall so long that the sphere stays on it"
 #define STICKS                                                                                                         \
   "up to 32 stages, a wall that moves tangentially at a constant velocity, steps given as times, and a contact that "  \
@@ -435,7 +449,8 @@ static void changed_law_of_a_heavy_sphere(void) {
         {WIDE("0.01", "stage s\ncycles 21\nstage t\nshear none\ncycles 1\n"), STICKS},
         {WIDE("0.01", "stage s\ncycles 19\nstage t\nshear none\ncycles 9\n"), NULL},
         {WIDE("0.01", "stage s\ncycles 1\nstage t\nnormal hertz_increment\ncycles 1\n"), STICKS},
-        {WIDE("0.01", "stage s\ncycles 1\nstage t\nnormal hertz_increment\nshear none\ncycles 1\n"), NULL});
+        {WIDE("0.01", "stage s\ncycles 1\nstage t\nnormal hertz_increment\nshear none\ncycles 1\n"), NULL},
+        {SLIDES("-9 4.98 to 9 4.98", "0.01", "stage s\nshear none\ncycles 1\n"), STICKS});
   for (int n = 32; n < 34; n++) {
     char page[4096] = WIDE("0.01", "");
     for (int k = 0; k < n; k++)
@@ -449,16 +464,25 @@ static void changed_law_of_a_heavy_sphere(void) {
          WIDE("-0.002",
               "stage a\ncycles 1\nstage b\nnormal hertz\ncycles 1\nstage m\nstep 0.2\nshear mindlin\n"
               "cycles 5\nstage e\nstep 0.1\nshear mindlin_deresiewicz\ncycles 10\nstage r\nstep 0.05\nshear "
-              "mindlin_deresiewicz\ncycles 6\nstage p\nshear mindlin_deresiewicz memory 6\ncycles 8\nstage i\n"
+              "mindlin_deresiewicz\ncycles 6\nstage p\nshear mindlin_deresiewicz memory 6\ncycles 8\nstage o\n"
+              "shear mindlin_deresiewicz memory 6\ncycles 2\nstage q\nshear mindlin_deresiewicz\ncycles 4\nstage i\n"
               "normal hertz_increment\nshear none\ncycles 5\n"),
-         0, {"C.normal", 15 * overlap, "time", 0.1}, {"C.normal", hertz, "time", 0.2}, {"C.normal", hertz, "time", 2.9},
-         {"C.normal", 0, "time", 3}, {"C.shear", -6 * v * 0.1, "time", 0.1}, {"C.shear", -6 * v * 0.2, "time", 0.2},
+         0, {"C.normal", 15 * overlap, "time", 0.1}, {"C.normal", hertz, "time", 0.2}, {"C.normal", hertz, "time", 3.2},
+         {"C.normal", 0, "time", 3.25}, {"C.shear", -6 * v * 0.1, "time", 0.1}, {"C.shear", -6 * v * 0.2, "time", 0.2},
          {"C.shear", -ka * v * 0.2, "time", 0.4}, {"C.shear", -ka * v * 1, "time", 1.2},
          {"C.shear", -ka * springs(v * 0.1, v * 0.1, most), "time", 1.3},
          {"C.shear", -ka * springs(v * 1, v * 0.1, most), "time", 2.2},
          {"C.shear", -ka * springs(v * 1.3, v * 0.1, most), "time", 2.5},
          {"C.shear", -ka * springs(v * 0.05, v * 0.05, most), "time", 2.55},
-         {"C.shear", -ka * springs(v * 0.4, v * 0.05, most), "time", 2.9}, {"C.shear", 0, "time", 3});
+         {"C.shear", -ka * springs(v * 0.4, v * 0.05, most), "time", 2.9},
+         {"C.shear", -ka * springs(v * 0.5, v * 0.05, most), "time", 3},
+         {"C.shear", -ka * springs(v * 0.2, v * 0.05, most), "time", 3.2}, {"C.shear", 0, "time", 3.25});
+  /* The first step is that of the first stage. */
+  VALUES("changed_law",
+         BEGINS("normal hertz\nshear mindlin_deresiewicz", "-9 5 to 9 5", "-0.002",
+                "stage a\nstep 0.3\ncycles 2\nstage b\nstep 0.1\ncycles 3\n"),
+         0, {"C.normal", hertz, "time", 0.3}, {"C.shear", -ka * springs(v * 0.3, v * 0.3, most), "time", 0.3},
+         {"C.shear", -ka * springs(v * 0.9, v * 0.3, most), "time", 0.9});
 #undef MOVES
 #undef WIDE
 }

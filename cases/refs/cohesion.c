@@ -69,7 +69,7 @@ static bool read_stages(struct loading *loading, const struct nb_scene *scene) {
       loading->travel = v[1][0] * time, loading->shear_stage = (int)s;
     loading->approach -= v[1][1] * time;
   }
-  return right && loading->shear_stage >= 0 && loading->approach > 0 && v[1][1] * time > loading->approach &&
+  return right && loading->approach > 0 && v[1][1] * time > loading->approach &&
          loading->travel * (scene->walls[2].x - scene->particles[0].x) > 0;
 }
 
