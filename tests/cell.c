@@ -270,6 +270,19 @@ static void the_gap_is_that_of_the_nearest_two(void) {
     CU_ASSERT_EQUAL(written_now(model, "gap"), 0.25);
     nb_model_free(model), written_free(&it);
   }
+  /* A listed pair has the gap 0.05; another one, with the gap 0.11, is not listed and approaches to 0.03. */
+  struct words near = {0};
+  words_add(&near,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.05 0 radius 1 m\n"
+            "disc 0 9 radius 1 m velocity 0.04 0\ndisc 2.11 9 radius 1 m velocity -0.04 0\nskin 0.1\nrecord gap\n"
+            "step 1\nstage s\ncycles 1\n");
+  written_scene(&it, &near);
+  model = written_model(&it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "gap"), 0.05, 1e-15);
+  written_cycles(model, 1);
+  CU_ASSERT_EQUAL(model->search.count, 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "gap"), 0.03, 1e-15);
+  nb_model_free(model), written_free(&it);
   for (int fixed = 0; fixed < 2; fixed++) {
     struct words flies = {0};
     const char *const kind = fixed ? " fixed" : "";

@@ -44,6 +44,36 @@ static void one_go(struct one *it, double x, double u) {
 static int pieces(const struct one *it) { return (int)it->m[0]; }
 static double fraction(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); } /* T/mu N */
 
+/* Which rows of a saved state are valid: at most max_pieces pieces, a number of doubles that fits, corners in ascending
+ * order that begin at 0, and no ring beyond its friction limit. Each change of one double makes a valid row invalid. */
+static void valid_rows(void) {
+  static const struct {
+    int at; /* index of the double that changes */
+    double value;
+    bool valid;
+  } rows[] = {{0, 2, true},                         /* no change */
+              {0, 0, false},         {0, 1, false}, /* the number of doubles is that of two pieces */
+              {0, 2.5, false},       {0, 3, false},        {0, NAN, false},
+              {1, 0, false},         {1, -1, false},       {1, 1e-300, true},
+              {2, 0.1, false},       {2, -0.1, false},     {4, 1, true}, /* D of the first piece */
+              {4, -1, true},         {4, 1 + 1e-10, true}, {4, 1 + 1e-8, false},
+              {4, -1 - 1e-8, false}, {6, -1e-9, false}, /* e of the first piece */
+              {7, 0, false},                            /* x of the second corner */
+              {7, 2, false},         {7, 3, false},        {9, -1.1, false},
+              {11, -1, false},       {12, 1, false},       {12, 0.5, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    double m[HEAD + 5 * 4] = {2, 0.25, 0, 0, 0.5, 0, 0, 1, 0.5, -0.5, 0, 0, 2, 0, 0, 0, 0};
+    m[rows[k].at] = rows[k].value;
+    CU_ASSERT_EQUAL(corners_valid(m, HEAD + 5 * 3, 4), rows[k].valid);
+    CU_ASSERT_EQUAL(corners_valid(m, HEAD + 5 * 3, 2), rows[k].valid);
+    CU_ASSERT(!corners_valid(m, HEAD + 5 * 3, 1));
+    m[0] = 0; /* no piece: the doubles would be those of one corner */
+    CU_ASSERT(!corners_valid(m, HEAD + 5, 4));
+    m[0] = 2;
+    CU_ASSERT(!corners_valid(m, HEAD + 5 * 3 - 1, 4) && !corners_valid(m, HEAD, 4) && !corners_valid(m, 0, 4));
+  }
+}
+
 /* ---- the pieces themselves ---- */
 
 /* Makes a random path of `count` pieces with |D| up to `most`. The force at each corner is a sum over the pieces. */
@@ -306,6 +336,7 @@ static void what_is_used(void) {
 
 void suite_corners(void) {
   CU_pSuite suite = CU_add_suite("corners", NULL, NULL);
+  CU_ADD_TEST(suite, valid_rows);
   CU_add_test(suite, "a corner is dropped when all pieces are in use", a_corner_is_dropped);
   CU_add_test(suite, "corners move", corners_move);
   CU_add_test(suite, "small pieces join", small_pieces_join);

@@ -288,6 +288,28 @@ static void across_the_edge_by_rounding(void) {
     }
 }
 
+/* The centre of a disc that has the circle's radius except for 8e-14 can only be that of the circle: the next
+ * representable number is farther away, by 1.1e-13. Such a place is refused. */
+static void across_the_circle_by_rounding(void) {
+  int placed = 0;
+  for (int seed = 1; seed <= 40; seed++) {
+    char page[256];
+    struct written it;
+    snprintf(page, sizeof page,
+             ROCK
+             "disc 99 99 radius 1 rock\ngrading g 1 1\nfill discs circle %s radius 1.00000000000008 g rock seed %d "
+             "attempts 1 else skip\n",
+             seed % 2 ? "1000 0" : "0 1000", seed);
+    make(&it, page);
+    placed += (int)it.scene.gradings[0].sizes[0].placed;
+    for (size_t k = 1; k < it.scene.particle_count; k++)
+      CU_ASSERT(hypot(it.scene.particles[k].x - (seed % 2 ? 1000 : 0),
+                      it.scene.particles[k].y - (seed % 2 ? 0 : 1000)) < 8.1e-14);
+    written_free(&it);
+  }
+  CU_ASSERT(placed > 4 && placed < 36);
+}
+
 /* The FNV-1a hash of the bits, which must be the same with every compiler, option and machine. */
 static uint64_t bits_of(const struct nb_scene *scene) {
   uint64_t hash = UINT64_C(14695981039346656037);
@@ -551,6 +573,7 @@ void suite_fill(void) {
   CU_add_test(suite, "expected number of attempts", expected_number_of_attempts);
   CU_add_test(suite, "attempts and skipped sizes", attempts_and_skipped_sizes);
   CU_add_test(suite, "a place across the edge by rounding is refused", across_the_edge_by_rounding);
+  CU_ADD_TEST(suite, across_the_circle_by_rounding);
   CU_add_test(suite, "a box as wide as the disc", a_box_as_wide_as_the_disc);
   CU_add_test(suite, "the same bits on every machine", the_same_bits);
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);

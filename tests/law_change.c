@@ -7,7 +7,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <string.h>
 
+#include "../src/laws/laws_now.h"
 #include "suites.h"
 #include "written.h"
 
@@ -250,8 +252,56 @@ static void another_law_has_no_history(void) {
   }
 }
 
+/* Whether a scene has friction or a shear law at some time, and its first law without stored energy that is not that of
+ * the start, or that begins to act only when a stage sets friction. */
+static void laws_of_all_stages(void) {
+  static const struct {
+    const char *statements;
+    bool friction, shear;
+    const char *unstored;
+  } rows[] = {
+      {"material m density 1 kn 1\nstage a\ncycles 1\nstage b\ncycles 1", false, false, NULL},
+      {"material m density 1 kn 1 friction 0.5\nstage a\ncycles 1\nstage b\ncycles 1", true, false, NULL},
+      {"material m density 1 kn 1 ks 1 cohesion 2\nshear linear\nstage a\ncycles 1\nstage b\ncycles 1", true, true,
+       NULL},
+      {"material n density 1 kn 1\nmaterial m density 1 kn 1\npair n m friction 0.5\nstage a\ncycles 1", true, false,
+       NULL},
+      {"material n density 1 kn 1\nmaterial m density 1 kn 1\npair n m cohesion 2\nstage a\ncycles 1", true, false,
+       NULL},
+      {"material m density 1 kn 1\nstage a\ncycles 1\nstage b\nmaterial m friction 0.5\ncycles 1", true, false, NULL},
+      {"material m density 1 kn 1\nstage a\nmaterial m cohesion 2\ncycles 1\nstage b\ncycles 1", true, false, NULL},
+      {"material m density 1 kn 1\nstage a\nmaterial m friction 0\ncycles 1", false, false, NULL},
+      {"material m density 1 kn 1 ks 1\nstage a\ncycles 1\nstage b\nshear linear\ncycles 1", false, true, NULL},
+      {"material m density 1 kn 1 ks 1\nshear linear\nstage a\nshear none\ncycles 1", false, true, NULL},
+      {"material m density 1 young 1 poisson 0\nnormal hertz\nshear mindlin\nstage a\ncycles 1", false, true, NULL},
+      {"material m density 1 young 1 poisson 0\nnormal hertz\nshear mindlin\nstage a\nmaterial m friction 1\ncycles 1",
+       true, true, "mindlin"},
+      {"material m density 1 young 1 poisson 0\nnormal hertz\nshear mindlin_deresiewicz\nstage a\nmaterial m friction "
+       "1\ncycles 1\nstage b\nshear randall\ncycles 1",
+       true, true, "randall"},
+      {"material m density 1 young 1 poisson 0 friction 1\nnormal hertz\nshear mindlin\nstage a\nshear "
+       "mindlin_scaled\ncycles 1\nstage b\nshear randall\ncycles 1",
+       true, true, "mindlin_scaled"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    const char *stage = strstr(rows[k].statements, "stage");
+    words_add(&page, "units none\n%.*ssphere 0 0 radius 1 m\nstep 1e-3\nrecord time\n%s\n",
+              (int)(stage - rows[k].statements), rows[k].statements, stage);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_laws_friction(&it.scene), rows[k].friction);
+    CU_ASSERT_EQUAL(nb_laws_shear(&it.scene), rows[k].shear);
+    const struct nb_law *law = nb_laws_unstored(&it.scene, false);
+    CU_ASSERT(rows[k].unstored ? law && strcmp(law->name, rows[k].unstored) == 0 : !law);
+    CU_ASSERT_PTR_NULL(nb_laws_unstored(&it.scene, true)); /* all normal laws store energy */
+    written_free(&it);
+  }
+}
+
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
+  CU_ADD_TEST(suite, laws_of_all_stages);
   CU_ADD_TEST(suite, from_increments_to_hertz);
   CU_ADD_TEST(suite, springs_that_change);
   CU_ADD_TEST(suite, a_new_shear_law_begins_without_displacement);

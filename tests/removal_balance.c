@@ -4,6 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -42,7 +43,33 @@ static void removal_with_other_changes(void) {
   }
 }
 
+/* A boundary that begins ends the contacts between two of its particles, and those of its particles with walls. The energy
+ * of their springs counts as removed, and that of the contacts with free particles does not. */
+static void springs_of_a_boundary(void) {
+  static const char *const pages[] = {
+      "disc 5 0 radius 1 m\ndisc 3.05 0 radius 1 m\ndisc -5 0 radius 1 m\ndisc -5 1.9 radius 1 m\n"
+      "wall w 5.8 -9 to 5.8 9 m\nwall v -9 2.8 to 0 2.8 m\n", /* 0.2, 0.1 and 0.1; 0.05 to the free disc 2 */
+      "disc 0 3.05 radius 1 m\ndisc 0 5 radius 1 m\ndisc 0.5 0 radius 1 m\nwall w -9 -0.95 to 9 -0.95 m\n"};
+  static const double wanted[] = {400 * (0.2 * 0.2 + 0.1 * 0.1 + 0.1 * 0.1) / 2, 0};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 400\nstep 0.001\n%srecord energy.removed\nstage s\n"
+              "boundary circle 0 0 radius 4\ncycles 1\n",
+              pages[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.removed"), wanted[k], 1e-12);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_removal_balance(void) {
   CU_pSuite suite = CU_add_suite("removal_balance", NULL, NULL);
   CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);
+  CU_ADD_TEST(suite, springs_of_a_boundary);
 }

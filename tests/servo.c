@@ -130,6 +130,30 @@ static void the_error_of_a_stress_that_is_not_symmetric(void) {
   written_free(&it);
 }
 
+/* A servo counts as limited in all cycles until its rate is once below the limit. It does not count as limited after
+ * that, even if its rate reaches the limit again. */
+static void a_servo_that_was_once_below_its_limit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page,
+            RING "stage s\nservo isotropic 12 on boundary through boundary at most 1e-4 per cycle\ncycles 900\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 9);
+  CU_ASSERT_EQUAL(model->affine->servo_state.phase, NB_SERVO_LIMITED);
+  written_cycles(model, 400);
+  CU_ASSERT_EQUAL(model->affine->servo_state.phase, NB_SERVO_FREE);
+  const double radius = written_now(model, "boundary.radius");
+  it.scene.stages[0].servo.stress[0] = it.scene.stages[0].servo.stress[1] = 1200;
+  written_cycles(model, 9);
+  CU_ASSERT(written_now(model, "boundary.radius") < radius * pow(1 - 0.9e-4, 8)); /* at the limit again */
+  CU_ASSERT_EQUAL(model->affine->servo_state.phase, NB_SERVO_FREE);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* The radius follows the recursion, with a measurement every fifth cycle. At first it changes at 0.93 of the largest
  * rate, because the integral part begins again at every measurement. In the end the stress is at its target. */
 static void stress_follows_the_recursion(void) {
@@ -600,6 +624,7 @@ void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "the error of the stress is relative to the largest target", the_error_is_relative);
   CU_add_test(suite, "the error of a stress that is not symmetric", the_error_of_a_stress_that_is_not_symmetric);
+  CU_ADD_TEST(suite, a_servo_that_was_once_below_its_limit);
   CU_add_test(suite, "the stress follows the recursion to its target", stress_follows_the_recursion);
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);

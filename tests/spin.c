@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "../src/core/model.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -114,6 +115,36 @@ static void reversal(void) {
     }
 }
 
+/* `rotation on` does not change the spin at t_N, which is 0, although a moment acts at this time. The spin half a step
+ * before and half a step after t_N are opposite. */
+static void rotation_begins_under_a_moment(void) {
+  for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(
+        &page,
+        "units none\nmaterial m density 2 kn 1e4 ks 7e3 friction 5\nshear linear\nstep 0.001\ndisc 0 0 radius 0.7 "
+        "m velocity 0 0.4\ndisc 1.2 1.55 radius 1.3 m\ndamping %s\nmonitor A disc 1\nmonitor B disc 2\n"
+        "record A.spin A.spin.half A.moment B.spin B.spin.half\nstage a\nrotation off\ncycles 9\nstage b\n"
+        "rotation on\ncycles 1\n",
+        kinds[n].damping);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 9);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    const double inertia = 0.5 * (pi * 0.7 * 0.7 * 2) * 0.7 * 0.7, push = kinds[n].over(0.001).push;
+    const double after = push * 0.001 * written_now(model, "A.moment") / inertia; /* from 0 before */
+    CU_ASSERT(fabs(after) > 1e-3);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.spin"), 0, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "B.spin"), 0, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.spin.half"), -after / (1 + kinds[n].over(0.001).keep), 1e-15);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* After `zero velocities`, discs that rotated in contact have no shear force when a later stage gives them a shear
  * law. */
 static void surface_after_zero_velocities(void) {
@@ -140,5 +171,6 @@ void suite_spin(void) {
   CU_add_test(suite, "moments rotate particles, damped or not", moments_rotate_particles);
   CU_add_test(suite, "the surface speed is that of the particle", surface_speed_of_the_particle);
   CU_add_test(suite, "reversal of velocities and spins", reversal);
+  CU_ADD_TEST(suite, rotation_begins_under_a_moment);
   CU_add_test(suite, "surface speed after zero velocities", surface_after_zero_velocities);
 }
