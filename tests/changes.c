@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/model.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -426,6 +427,25 @@ static void weight_counts_in_the_balance(void) {
   CU_ASSERT_EQUAL(after(text, "unbalanced.max"), INFINITY); /* no contact balances the weight */
 }
 
+/* unbalanced.max is the largest force sum of all particles over the largest force of all contacts, wherever they stand
+ * in the page. Three pairs with the overlaps 0.01, 0.02 and 0.03 have the force sums 8 times that. A disc that two fixed
+ * ones press with the overlap 0.1 is in equilibrium, and its two contacts have the largest force. */
+static void largest_of_all_forces(void) {
+  static const double overlaps[] = {0.01, 0.03, 0.02, 0.01, 0.03};
+  for (int n = 0; n < 12; n++) {
+    char text[1024] = "material m density 1 kn 8\nstep 1e-6\nrecord unbalanced.max\n";
+    for (int k = 0; k < 4; k++)
+      if (k == n / 3)
+        nb_append(text, sizeof text,
+                  "disc 0 50 radius 1 m fixed\ndisc 1.9 50 radius 1 m\ndisc 3.8 50 radius 1 m fixed\n");
+      else
+        nb_append(text, sizeof text, "disc 0 %d radius 1 m\ndisc %g %d radius 1 m\n", 9 * k,
+                  2 - overlaps[n % 3 + (k > n / 3 ? k - 1 : k)], 9 * k);
+    nb_append(text, sizeof text, "stage a\ncycles 1\n");
+    CU_ASSERT_DOUBLE_EQUAL(row_of(text, "unbalanced.max", 0), 0.03 / 0.1, 1e-13);
+  }
+}
+
 /* `reverse velocities` also reverses velocity and spin of walls, so the walls return to their old positions. A velocity
  * or spin that the same stage or a later one gives to a wall replaces the reversed one. */
 static void velocities_of_walls_reverse(void) {
@@ -490,6 +510,7 @@ void suite_changes(void) {
   CU_add_test(suite, "cohesion carries no tension", cohesion_carries_no_tension);
   CU_add_test(suite, "the step follows the stiffness", the_step_follows);
   CU_add_test(suite, "weight counts in unbalanced.max", weight_counts_in_the_balance);
+  CU_add_test(suite, "unbalanced.max of several particles and contacts", largest_of_all_forces);
   CU_add_test(suite, "reverse velocities reverses walls", velocities_of_walls_reverse);
   CU_add_test(suite, "a spin ramps", a_spin_ramps);
   CU_ADD_TEST(suite, a_wall_keeps_its_other_motion);

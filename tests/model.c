@@ -188,15 +188,18 @@ static void laws_that_do_not_exist(void) {
 static void warnings_at_the_start(void) {
   static const struct {
     const char *scene, *begin; /* "": no warning */
-  } rows[] = {{"disc 1 1 radius 1 m\ndisc 2.95 1 radius 1 m\n", ""},
-              {"disc 1 1 radius 1 m\ndisc 2.5 1 radius 1 m\n", "particle 2 overlaps particle 1"},
-              {"disc 1 1 radius 1 m\nregion A circle 9 9 radius 1\n",
-               "region `A` is empty: no particle centre is inside at "
-               "the start"}};
+    const char *stage;         /* a second stage */
+  } rows[] = {
+      {"disc 1 1 radius 1 m\ndisc 2.95 1 radius 1 m\n", ""},
+      {"disc 1 1 radius 1 m\ndisc 2.5 1 radius 1 m\n", "particle 2 overlaps particle 1"},
+      {"disc 1 1 radius 1 m\nregion A circle 9 9 radius 1\n", "region `A` is empty: no particle centre is inside at "
+                                                              "the start"},
+      /* `inside` is no region until the boundary exists */
+      {"disc 1 1 radius 1 m\nregion A inside 0.5\n", "", "stage later\nboundary circle 1 1 radius 9\ncycles 1\n"}};
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     char text[256];
     struct written it;
-    snprintf(text, sizeof text, MATERIALS "%s" STAGE, rows[r].scene);
+    snprintf(text, sizeof text, MATERIALS "%s" STAGE "%s", rows[r].scene, rows[r].stage ? rows[r].stage : "");
     struct nb_model *model = made(&it, NULL, text);
     CU_ASSERT_EQUAL_FATAL(model->warnings.count, *rows[r].begin ? 1 : 0);
     if (*rows[r].begin)

@@ -102,15 +102,16 @@ static void rattlers(void) {
                    "disc 0 4 radius 1 m\n" /* 7: a neighbour of the loop without contact */
                    "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n" /* 8 is fixed */
                    "wall w 32.98 -1 to 32.98 1 m\n"                        /* 9 touches 8 and this wall: no rattler */
+                   "disc 50 0 radius 1 m fixed\n" /* 10 is fixed: no rattler, although it has no contact */
                    "region A all\nregion B box -2 -2 to 3 3\n"
                    "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
                    "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
-  CLOSE(model, "A.particles", 9);
+  CLOSE(model, "A.particles", 10);
   CLOSE(model, "A.contacts", 4 + 2 + 2);
-  CLOSE(model, "A.coordination", (3 + 2 + 2 + 2 + 2 + 1 + 0 + 1 + 2) / 9.);
+  CLOSE(model, "A.coordination", (3 + 2 + 2 + 2 + 2 + 1 + 0 + 1 + 2 + 0) / 10.);
   CLOSE(model, "A.rattlers", 3);
-  CLOSE(model, "A.coordination.mechanical", (2 + 2 + 2 + 2 + 1 + 2) / 6.);
+  CLOSE(model, "A.coordination.mechanical", (2 + 2 + 2 + 2 + 1 + 2 + 0) / 7.);
   CLOSE(model, "B.particles", 4);
   CLOSE(model, "B.contacts", 5);
   CLOSE(model, "B.coordination", 9 / 4.);
