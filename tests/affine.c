@@ -7,6 +7,7 @@
 
 #include "../src/core/affine.h"
 #include "../src/core/model.h"
+#include "loading/loading.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"
@@ -224,6 +225,96 @@ static void one_strain_rate_for_all(void) {
   }
 }
 
+/* The earlier stage whose strain rate a stage inherits, and the line of this rate; -1: none, because the stage has a rate
+ * of its own, because the rate is 0, or because a stage has moved a wall of the box. Each component counts. */
+static void inherited_rates(void) {
+  static const struct {
+    const char *stages; /* from line 7 of the page on */
+    enum nb_affine_source source;
+    int from[3], line;
+  } rows[] = {
+      {"periodic cell 0 0 to 9 9\nstage a\ncell strain 0.1 0\n", NB_AFFINE_CELL, {-1, 0, 0}, 9},
+      {"periodic cell 0 0 to 9 9\nstage a\ncell strain 0 0.1\n", NB_AFFINE_CELL, {-1, 0, 0}, 9},
+      {"periodic cell 0 0 to 9 9\nstage a\ncell strain 0 0 c12 0.1\n", NB_AFFINE_CELL, {-1, 0, 0}, 9},
+      {"periodic cell 0 0 to 9 9\nstage a\ncell strain 0 0 c21 0.1\n", NB_AFFINE_CELL, {-1, 0, 0}, 9},
+      {"periodic cell 0 0 to 9 9\nstage a\ncell strain 0 0\n", NB_AFFINE_CELL, {-1, -1, -1}, 0},
+      {"boundary circle 0 0 radius 4\nstage a\nboundary strain 0 0.1\n", NB_AFFINE_BOUNDARY, {-1, 0, 0}, 9},
+      {"boundary circle 0 0 radius 4\nstage a\naffine strain 0 0.1\n", NB_AFFINE_BOUNDARY, {-1, -1, -1}, 0},
+      {"boundary circle 0 0 radius 4\nstage a\naffine strain 0 0.1\n", NB_AFFINE_FREE, {-1, 0, 0}, 9},
+      {"box 0 0 to 9 9 m\nstage a\nbox strain 0 0.1\n", NB_AFFINE_BOX, {-1, 0, 0}, 9},
+  };
+  static const struct {
+    const char *second, *third;
+    int from;
+  } later[] = {{"box strain 0.2 0\n", "", 1},
+               {"box strain 0 0\n", "", -1},
+               {"wall east velocity 0.1 0\n", "", -1},
+               {"wall east velocity 0.1 0\n", "servo mean 5 on box through box at most 1e-4 per cycle\n", -1},
+               {"", "servo mean 5 on box through box at most 1e-4 per cycle\n", 0}};
+  enum { ROWS = sizeof rows / sizeof *rows, LATER = sizeof later / sizeof *later };
+  for (int k = 0; k < ROWS + LATER; k++) {
+    const bool is_later = k >= ROWS;
+    const int n = is_later ? k - ROWS : 0;
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 5 5 radius 1 m\nrecord time\n%scycles 1\n"
+              "stage b\n%scycles 1\nstage c\n%scycles 1\n",
+              rows[is_later ? ROWS - 1 : k].stages, is_later ? later[n].second : "", is_later ? later[n].third : "");
+    written_scene(&it, &page);
+    for (int s = 0; s < 3; s++) {
+      int line = 0;
+      const int from = nb_affine_inherited(&it.scene, (size_t)s, rows[is_later ? ROWS - 1 : k].source, &line);
+      if (!is_later)
+        CU_ASSERT_EQUAL(from, rows[k].from[s]);
+      if (is_later && s == 2)
+        CU_ASSERT_EQUAL(from, later[n].from);
+      CU_ASSERT(from < 0 || is_later || line == rows[k].line);
+    }
+    written_free(&it);
+  }
+}
+
+/* The rates that a model has in three stages. When a wall of a box is moved otherwise, the strain rate of the box ends for
+ * good: a servo that moves the box later begins at the rate 0. `accumulated` ends `accumulated-twice`. */
+static void rates_that_end(void) {
+  static const struct {
+    const char *page;
+    double box[3];
+    bool twice[3];
+  } rows[] = {
+      {"box 0 0 to 9 9 m\nstage a\nbox strain 0.1 0.2\ncycles 1\nstage b\nwall east velocity 0.1 0\ncycles 1\nstage c\n"
+       "servo mean 5 on box through box at most 1e-4 per cycle\ncycles 1\n",
+       {0.2, 0, 0},
+       {false, false, false}},
+      {"box 0 0 to 9 9 m\nstage a\nbox strain 0.1 0.2\ncycles 1\nstage b\ncycles 1\nstage c\n"
+       "servo mean 5 on box through box at most 1e-4 per cycle\ncycles 1\n",
+       {0.2, 0.2, 0.2},
+       {false, false, false}},
+      {"stage a\naffine strain 0.1 0.2 accumulated-twice\ncycles 1\nstage b\ncycles 1\nstage c\naffine strain 0.1 0.2 "
+       "accumulated\ncycles 1\n",
+       {0, 0, 0},
+       {true, true, false}},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page, "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 5 5 radius 1 m\nrecord time\n%s",
+              rows[k].page);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int s = 0; s < 3; s++) {
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+      CU_ASSERT_EQUAL(model->affine->base_rate[NB_AFFINE_BOX].yy, rows[k].box[s]);
+      CU_ASSERT_EQUAL(model->affine->twice, rows[k].twice[s]);
+      written_cycles(model, 1);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_affine(void) {
   CU_pSuite suite = CU_add_suite("affine", NULL, NULL);
   CU_add_test(suite, "cell strain and affine strain agree to the bit", cell_and_affine_strain_agree);
@@ -235,4 +326,6 @@ void suite_affine(void) {
   CU_add_test(suite, "after `zero velocities` dashpot forces and kinetic energy are 0",
               zero_velocities_is_as_at_time_0);
   CU_ADD_TEST(suite, one_strain_rate_for_all);
+  CU_ADD_TEST(suite, inherited_rates);
+  CU_ADD_TEST(suite, rates_that_end);
 }

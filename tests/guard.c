@@ -999,6 +999,89 @@ static void resolution_that_gets_coarse(void) {
   written_free(&it);
 }
 
+/* In a scene with units every length and time of a message has its unit. */
+static void messages_with_units(void) {
+#define SI "material m density 1e9 kg/m3 kn 1 N/m\nallow unstable\nstep 0.5 s\n"
+  static const struct {
+    const char *page, *text;
+  } errors[] = {
+      {"disc 0 m 0 m radius 1 m m velocity 2.2 m/s 0 m/s\ndisc 9 m 0 m radius 1 m m",
+       "particle 1 (line 5): in cycle 1, at time 0.5 s, it moved by 1.1 m in one step of 0.5 s. The limit is its "
+       "radius, 1 "
+       "m: beyond"},
+      {"disc -5 m 5 m radius 1 m m\nwall w 0 m 0 m to 9 m 0 m m about 0 m 0 m spin 2 rad/s",
+       "wall `w` (line 6): in cycle 1, at time 0.5 s, it turned by 1 rad in one step of 0.5 s and may have passed "
+       "through "
+       "a particle. The limit is the smallest radius, 1 m: the arc"},
+      {"disc 0 m 0 m radius 2 m m\ndisc 1.5 m 0 m radius 1 m m",
+       "particle 2 overlaps particle 1 (line 5) by 1.5 m. Expected at most the smaller radius, 1 m: move"},
+      {"disc 0 m 0 m radius 2 m m\ndisc 3.1 m 0 m radius 1 m m velocity -1.8 m/s 0 m/s",
+       "particle 1 (line 5) and particle 2 (line 6): at cycle 2, time 1 s, they overlap by 1.7 m. The limit is the "
+       "smaller "
+       "radius, 1 m: beyond"},
+      {"disc 0 m 0.5 m radius 1 m m velocity 0 m/s -1.8 m/s\nwall w -9 m 0 m to 9 m 0 m m",
+       "particle 1 (line 5) passed through wall `w` (line 6) in cycle 1, at time 0.5 s: its centre is now on the other "
+       "side. The limit of the overlap with a wall is the particle's radius, 1 m; in this step of 0.5 s it moved 0.9 m "
+       "relative to the wall: try a smaller step"},
+  };
+  static const struct {
+    const char *page, *text;
+  } warnings[] = {
+      {"disc 1e10 m 0 m radius 1 m m\ndisc 0 m 0 m radius 0.5 m m",
+       "particle 1: its coordinate 1e+10 m has a resolution (ulp) of 1.90735e-06 m, that is 0.38 % of the expected "
+       "overlap, a thousandth of the smallest radius, 0.0005 m, at cycle 0."},
+      {"disc 0 m 0 m radius 1 m m\ndisc 2.7 m 0 m radius 2 m m",
+       "particle 2 overlaps particle 1 (line 5) too much at the start: by 0.3 m, 15 % of the smaller diameter"},
+  };
+  struct nb_error error;
+  unsigned long done;
+  for (size_t k = 0; k < sizeof errors / sizeof *errors; k++) {
+    char page[400];
+    snprintf(page, sizeof page, SI "%s", errors[k].page);
+    CU_ASSERT(outcome(&error, page, 2, &done) != NB_OK);
+    CU_ASSERT(has(&error, errors[k].text));
+    CU_ASSERT_EQUAL(error.line, k == 2 ? 6 : 0);
+  }
+  for (int cycle = 0; cycle < 8; cycle += 7) { /* before the first step a narrow cell is a mistake of the page */
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              SI "disc 0 m 0 m radius 1 m m\nperiodic cell 0 m 0 m to 9 m 9 m\ndisc 1 m 5 m radius 1 m m\nstage s\n"
+                 "cycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    model->cell->h.xx = 4.2 * (1 + 1e-12), error.line = 0;
+    CU_ASSERT_EQUAL(nb_cell_check_width(model, &error), NB_OK);
+    model->cell->h.xx = 4, model->cycle = (unsigned long)cycle, model->time = 0.5 * cycle;
+    CU_ASSERT_EQUAL(nb_cell_check_width(model, &error), cycle ? NB_BROKEN : NB_BAD_USE);
+    CU_ASSERT_EQUAL(error.line, 6);
+    CU_ASSERT(has(&error, cycle ? "the cell is 4 m wide at cycle 7, at time 3.5 s: a particle could have"
+                                : "the cell is 4 m wide at cycle 0, at time 0 s: a particle could have"));
+    CU_ASSERT(has(&error, "Expected at least twice the sum of the largest diameter and the skin, 4.2 m: make"));
+    nb_model_free(model);
+    written_free(&it);
+  }
+  for (size_t k = 0; k < sizeof warnings / sizeof *warnings; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, SI "%s\nstage s\ncycles 1\n", warnings[k].page);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
+    CU_ASSERT_PTR_NOT_NULL(strstr(model->warnings.list[0].text, warnings[k].text));
+    if (k == 1) {
+      model->critical = 2, model->particles.position[0].y = NAN;
+      CU_ASSERT_EQUAL(nb_guard_positions(model, &error), NB_BROKEN);
+      CU_ASSERT(has(&error,
+                    "(line 5): its position is NaN or infinite after cycle 0, at time 0 s; the step is 0.5 s, the "
+                    "single-contact step is 2 s: try"));
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+#undef SI
+}
+
 static void each_warning_once(void) {
   struct nb_warnings warnings = {0};
   for (int k = 0; k < 40; k++)
@@ -1036,5 +1119,6 @@ void suite_guard(void) {
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
   CU_add_test(suite, "resolution is reported once", resolution_is_reported_once);
+  CU_ADD_TEST(suite, messages_with_units);
   CU_add_test(suite, "each warning once", each_warning_once);
 }

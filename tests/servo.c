@@ -122,9 +122,11 @@ static void the_error_of_a_stress_that_is_not_symmetric(void) {
   struct nb_servo *servo = &it.scene.stages[0].servo;
   servo->axis_x[0] = n.x, servo->axis_x[1] = n.y, servo->axis_y[0] = m.x, servo->axis_y[1] = m.y;
   for (int k = 0; k < 3; k++) {
-    for (int other = 0; other < 3; other++)
-      servo->controlled[other] = other == k, servo->stress[other] = other == k ? 0.25 : 0;
-    CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), fabs(rotated[k] - 0.25) / 0.25, 1e-9);
+    for (double target = -0.25; target < 0.5; target += 0.5) {
+      for (int other = 0; other < 3; other++)
+        servo->controlled[other] = other == k, servo->stress[other] = other == k ? target : 0;
+      CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), fabs(rotated[k] - target) / 0.25, 1e-9);
+    }
   }
   nb_model_free(model);
   written_free(&it);
