@@ -600,12 +600,17 @@ static void variants_with_the_laws_of_the_page(void) {
   static const struct {
     const char *more, *step;
     size_t soft, centred;
-  } rows[] = {{"", "step 0.01", 3, 0},
-              {"damping ratio 0.1\n", "step 0.01", 3, 1},
-              {"damping mass 0.1\n", "step 0.01", 3, 0},
-              {"damping ratio 0.1\ndamping late\n", "step 0.01", 3, 0},
-              {"damping ratio 0.1\n", "step 1000 per collision", 0, 1},
-              {"trade laws none\ndamping ratio 0.1\n", "step 0.01", 0, 0}};
+  } rows[] = {
+      {"", "step 0.01", 3, 0},
+      {"damping ratio 0.1\n", "step 0.01", 3, 1},
+      {"damping mass 0.1\n", "step 0.01", 3, 0},
+      {"damping ratio 0.1\ndamping late\n", "step 0.01", 3, 0},
+      {"damping ratio 0.1\n", "step 1000 per collision", 0, 1},
+      {"trade laws none\ndamping ratio 0.1\n", "step 0.01", 0, 0},
+      {"", "step 0.01\nstage z\ndamping ratio 0.1\ncycles 1\nstage y\ndamping none\ncycles 1", 3, 1},
+      {"", "step 0.01\nstage z\ndamping ratio 0.1\ndamping late\ncycles 1\nstage y\ndamping none\ncycles 1", 3, 0},
+      {"sweep shear none mindlin\nshear $shear\n", "step 0.01", 0, 0}, /* its own laws are swept */
+      {"let normal = 0.01\n", "step $normal", 0, 0}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     char text[1024];
     struct nb_advice advice;
@@ -831,6 +836,99 @@ static void steps_that_do_not_halve_are_tried(void) {
   finish(&advice, &page);
 }
 
+/* Advice on a scene that the budget ends before its first trial. Returns the status. */
+static enum nb_status begin_without_trials(struct nb_advice *advice, struct nb_advise_query *query, struct page *page,
+                                           const char *scene) {
+  struct nb_error error = {0};
+  *page = write_page(scene);
+  *query = (struct nb_advise_query){.path = page->path,
+                                    .settings = no_settings,
+                                    .options = {.threads = 1, .jobs = 1},
+                                    .quantity = "time",
+                                    .within = "1 %",
+                                    .budget = 1e-9};
+  return nb_advise(advice, query, &error);
+}
+
+/* The numbers of cycles of all stages of this page and of all its runs count, and no other ones: not those of the page
+ * from which it starts, and not the `at most` of a stage with conditions. */
+static void the_divisor_is_that_of_all_cycles_of_the_page(void) {
+#define DISC "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.01\n"
+  const struct page other = write_page(DISC "record time\nstage a\ncycles 7\n");
+  char start[256];
+  snprintf(start, sizeof start, "start %.100s stage a\nrecord time\nstage b\ncycles 12\nstage c\ncycles 18\n",
+           other.path);
+  const struct {
+    const char *scene;
+    unsigned long divisor;
+  } rows[] = {{DISC "record time\nstage a\ncycles 12\nstage b\ncycles 18\nstage c\ncycles 8\n", 2},
+              {DISC "record time\nstage a\nuntil time above 1 at most 35 cycles\nstage b\ncycles 18\n", 18},
+              {DISC "record time\nstage a\nuntil time above 1 at most 35 cycles\n", 0},
+              {"sweep n 12 18 27\n" DISC "record time\nstage a\ncycles $n\n", 3},
+              {"sweep n 27 18 12\n" DISC "record time\nstage a\ncycles $n\n", 3},
+              {start, 6}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_advice advice;
+    struct nb_advise_query query;
+    struct page page;
+    CU_ASSERT_EQUAL(begin_without_trials(&advice, &query, &page, rows[k].scene), NB_FAILED);
+    CU_ASSERT_EQUAL(advice.divisor, rows[k].divisor);
+    finish(&advice, &page);
+  }
+  unlink(other.path);
+}
+
+/* The largest numbers: 50 particles, 8 statements `trade`, and 500 combinations, here 10 10 5. */
+static void the_largest_page_and_the_most_variants(void) {
+  struct words eight = {0}, most = {0};
+  for (int k = 0; k < 8; k++)
+    words_add(&eight, "let a%d = 1\ntrade a%d 2\n", k, k);
+  words_add(&most, "let a = 1\nlet b = 1\nlet c = 1\ntrade a 2 3 4 5 6 7 8 9 10\ntrade b 2 3 4 5 6 7 8 9 10\n"
+                   "trade c 2 3 4 5\n");
+  const struct {
+    const char *trades;
+    int particles;
+    size_t variants; /* 0: the page is refused */
+  } rows[] = {{"", 50, 1}, {"", 51, 0}, {eight.text, 1, 256}, {most.text, 1, 500}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_advice advice;
+    struct nb_advise_query query;
+    struct page page;
+    struct words scene = {0};
+    words_add(&scene,
+              "units none\n%s\ntrade laws none\nmaterial m density 1 kn 1\n"
+              "lattice discs %d by 1 from 1 1 radius 1 spacing 2 m\nstep 0.01\nrecord time\nstage a\ncycles 8\n",
+              rows[k].trades, rows[k].particles);
+    CU_ASSERT_EQUAL(begin_without_trials(&advice, &query, &page, scene.text),
+                    rows[k].variants ? NB_FAILED : NB_BAD_USE);
+    CU_ASSERT_EQUAL(advice.variant_count, rows[k].variants);
+    finish(&advice, &page);
+    free(scene.text);
+  }
+  free(eight.text), free(most.text);
+}
+
+/* A mean over realizations leaves out neither a variant with the values of the page nor one whose values are far from
+ * its own: the kinetic energy increases with the square of the rate, so it is about 100 times as large, and the
+ * tolerance 10 times the energy. */
+static void a_mean_keeps_equal_and_distant_variants(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  size_t of_variant[3] = {0};
+  begin_mean(&advice, &query, &page, "trade rate 0.01 0.1\n");
+  CU_ASSERT_EQUAL_FATAL(advice.variant_count, 3);
+  for (size_t k = 0; k < advice.setting_count; k++)
+    of_variant[advice.settings[k].variant]++;
+  for (size_t v = 0; v < 3; v++) {
+    CU_ASSERT(of_variant[v] > 0);
+    CU_ASSERT(!advice.variants[v].equal && advice.variants[v].distance == 0);
+  }
+  const size_t setting = advice.setting_count - 1;
+  CU_ASSERT(advice.settings[setting].variant == 2 && advice.settings[setting].ratio > 2);
+  finish(&advice, &page);
+}
+
 /* A setting is looser than the page if it has a longer step, another law or another value; the page itself with a
  * shorter step is not looser. */
 static void checks_may_fail_with_a_looser_setting(void) {
@@ -928,4 +1026,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, variants_are_all_combinations);
   CU_ADD_TEST(suite, variants_with_the_laws_of_the_page);
   CU_ADD_TEST(suite, no_softer_contacts_after_a_start);
+  CU_ADD_TEST(suite, the_divisor_is_that_of_all_cycles_of_the_page);
+  CU_ADD_TEST(suite, the_largest_page_and_the_most_variants);
+  CU_ADD_TEST(suite, a_mean_keeps_equal_and_distant_variants);
 }

@@ -221,8 +221,12 @@ for values in '-1:1 other variant cannot be run with this page;' '1.0:1 other va
   { echo "${values#*:}" | sed 's/;$//; s/;\([0-9]\)/\n\1/g; s/^\|\n/&  /g'
     echo '  (a variant is the page with other contact laws, softer contacts, centred dashpots, or other values of the names in its `trade` statements)'; } >wanted
   sed -n '/^  [0-9] other variant/p; /^  (a variant/p' "$why" | diff -u - wanted >given
-  test ! -s given || cat given >>"$why"
-  test ! -s given
+  sed -n 's/^# left out: normal linear, shear none, k=\([^:]*\): \(it gives the same.*\)*.*/\1 \2/p' left/advice.tsv >>given
+  case $values in # the table has a row for each of them
+  1.0:*) echo '1.0 N/m it gives the same values as the page' ;;
+  -1\ *) printf '%s\n' '-1 N/m ' '-2 N/m ' '1.0 N/m it gives the same values as the page' '0.1 N/m ' '0.2 N/m ' ;;
+  *) echo "${values%%:*} N/m " ;;
+  esac | diff -u - given >>"$why"
   result $? "variants that are left out: k ${values%%:*}"
 done
 run 1 advise si.md --quantity 'D.x max' --within '1e-9 m' --set v='0.1 m/s' -o si &&
@@ -230,6 +234,22 @@ run 1 advise si.md --quantity 'D.x max' --within '1e-9 m' --set v='0.1 m/s' -o s
 si.md: error: `D.x max within 1e-9 m`: the value is not known well enough: with the step divided by 4096 its uncertainty is N times the tolerance. Choose a larger tolerance, an absolute tolerance if the value is near 0, or a larger --budget
 EOF
 result $? 'the whole message about a value that is not known well enough'
+# The run that is named is that with the largest uncertainty, over the tolerance: at ten times the speed a step moves the disc ten times as
+# far. So is the run in which a variant differs most: D.x max = 0.1 + v (m/k)^(1/2), so a percentage is exceeded more with the larger v.
+for speeds in '0.02 m/s 0.2 m/s' '0.2 m/s 0.02 m/s'; do
+  sed "s,^sweep.*,sweep v $speeds,; s/^trade  *k.*/trade k 0.2 N\/m/; s,above 0.2 m,below 0.1 m and D.vx below 0 m/s," si.md >order.md
+  run 1 advise order.md --quantity 'D.x max' --within '1e-15 m' --budget 0.5 -o order && said ' times the tolerance, in run v=0.2 m/s. Choose a larger tolerance' &&
+    run 0 advise order.md --quantity 'D.x max' --within '2 %' -o order &&
+    grep -Eq ', k=0.2 N/m: its value differs from that of the page by [0-9]* times the tolerance, in run v=0.2 m/s$' "$why"
+  result $? "the run that decides: speeds $speeds"
+done
+# Each setting misses the tolerance or is within it, and its error is this ratio times the tolerance.
+for table in duration:0.0005 late:0.06 si:0.02; do
+  rows ${table%:*}/advice.tsv | tee "$why" | awk -F '\t' -v tolerance="${table#*:}" '
+    { d = $8/($7*tolerance) - 1; bad += d*d > 1e-9 || $9 > $8 || ($10 == "misses") != ($7 > 1); n[$10]++ }
+    END { exit !(n["chosen"] == 1 && n["misses"] && !bad && NR == n["chosen"] + n["misses"] + n["within"]) }'
+  result $? "errors, and their ratios to the tolerance: ${table%:*}"
+done
 run 1 advise still.md --quantity D.vx --within 1e-5 --set trade='laws none' --set step=0.2 -o none &&
   whole | sed 's/\([ =]\)[0-9][0-9.e+-]*/\1N/g' >given && diff -u - given >"$why" <<'EOF'
 still: D.vx within N
@@ -249,6 +269,8 @@ run 2 advise "$hertz" --quantity C.force --within '1 %' && said 'quantity: error
 result $? 'an unknown quantity'
 run 2 advise "$hertz" --quantity impact.duration --within '1 % x' && said 'expected the end of the text'
 result $? 'text after the tolerance'
+run 2 advise "$hertz" --quantity impact.duration --within '1 % of impact.duration' && said 'expected a tolerance like `1 %`'
+result $? 'a fraction of a quantity'
 run 2 advise "$hertz" --quantity impact.duration --within '0 %' && said 'expected a tolerance above 0'
 result $? 'a tolerance of 0'
 run 2 advise "$hertz" --quantity impact.duration --within '1 % of peak' && said 'expected a tolerance like `1 %`'
@@ -260,6 +282,20 @@ said 'the page cannot be run with its own step and with half of it: ' && said 'b
 result $? 'a step above the stable one: the whole message'
 run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said 'with --budget a number of seconds above 0'
 result $? 'a budget that is not a time'
+for budget in '1e-6 s:1' 1e-6s:1 1e-6:1 :2 s:2 '5 x:2' '5 s x:2' inf:2 nan:2 -1:2 0:2; do
+  run "${budget##*:}" advise still.md --quantity D.vx --within 0.1 --budget "${budget%:*}" -o budget && case $budget in *:1) said 'the budget is too small' ;; *) said 'with --budget a number of seconds above 0' ;; esac
+  result $? "the budget '${budget%:*}'"
+done
+# 500 combinations, which run up to 500 times as many cycles as the page. A budget of a second is enough for the page, not for all of them.
+awk '/^until/ { $0 = "cycles $all" } { print } /^units/ { print "trade laws none"; for (k = 1; k <= 3; k++) print "let n" k " = 1"
+  print "trade n1 2 3 4 5 6 7 8 9 10"; print "trade n2 2 3 4 5 6 7 8 9 10"; print "trade n3 2 3 4 5"; print "let all = 1000*n1*n2*n3" }' still.md >ends.md
+run 0 advise ends.md --quantity D.vx --within 0.1 --budget 1 -o ends && grep -Eqx '  [0-9]+ other variants have no result, because the budget was used up' "$why" &&
+  grep -q '^  (a variant is the page with' "$why" && grep -Eqx '  [0-9]+ trials in [0-9.]+ s, the whole budget: not all settings were tried' "$why"
+result $? 'a budget that ends the search'
+# Without --quantity the first expectation with a single value counts: not a curve, and not a line `report`.
+{ sed 's/^record .*/& D.x time/' still.md && printf '\n```expect\nreport D.x\nD.vy expected 0 within 0.4 [x]\nD.vx expected 0 within 0.4 [x]\n```\n'; } >first.md
+run 0 advise first.md --within 0.1 -o first && said 'first: D.vy within 0.1'
+result $? 'the first expectation with a single value'
 sed 's/^units none/&\nlet refine = 2/' still.md >named.md
 run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value named `refine`'
 result $? 'a page whose own value is called refine'
@@ -287,6 +323,9 @@ grep -v '^#' damped/values.tsv | tee "$why" | awk -F '\t' '
   NR == 1 { for (k = 1; k <= NF; k++) { if ($k == "impact.restitution/-") a = k; if ($k == "reference impact.restitution/-") b = k } }
   NR == 2 { e = $a/$b - 1; good = e*e < 0.002^2 } END { exit !good }' && test -n "$options"
 result $? 'centred dashpots'
+run 0 advise "$cases/2-hertz/hertz-damped.md" --set beta=0.2 --quantity impact.restitution --within '0.2 %' -o damped && grep -q '^    the step.*; normal hertz, shear none, damping centred$' "$why" &&
+  run 0 advise "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o oblique && grep -Eq '^  estimated error: at most [0-9.e-]+; by the step alone [0-9.e-]+$' "$why"
+result $? 'the name of centred dashpots, and an error without a unit'
 run 2 check still.md --within 1 && said "does not use --within"
 result $? 'an option of another command'
 
@@ -376,7 +415,16 @@ run 2 advise gas.md --over seed --set seed=2 --quantity energy.kinetic --within 
 result $? 'realizations of one seed'
 run 2 advise gas.md --over sead --quantity energy.kinetic --within '10 %' && said 'did you mean `seed`?'
 result $? 'realizations of an unknown name'
+run 2 advise gas.md --over see --set seed=2 --quantity energy.kinetic --within '10 %' && said 'expected after --over a name that the page defines'
+result $? 'realizations of the beginning of a name'
+grep -q "^set xlabel 'contact and particle updates of all runs, mean over realizations'" gas/advice.gp
+result $? 'the figure of a mean'
+sed "s,^sweep.*,let seed = 1\nlet v = (0.1 m/s * seed)," si.md >mean.md
+run 0 advise mean.md --over seed --quantity 'D.x max' --within '90 %' -o mean && grep -Eq ' runs scatter with a standard deviation of [0-9.e-]+ m$' "$why"
+result $? 'the unit of the standard deviation'
 run 2 advise gas.md --over seed --realizations 4 --quantity energy.kinetic --within '10 %' && said 'expected --realizations from 8 to 32' &&
+  run 2 advise gas.md --over seed --realizations 33 --quantity energy.kinetic --within '10 %' && said 'expected --realizations from 8 to 32' &&
+  run 1 advise gas.md --over seed --realizations 32 --quantity energy.kinetic --within '10 %' --budget 1e-6 && said 'the budget is too small' &&
   run 2 advise gas.md --realizations 9 --quantity energy.kinetic --within '10 %' && said 'with --over NAME'
 result $? 'too few realizations'
 sed 's/^let rate/let stiff = 1000\n&/; s/kn 1000/kn $stiff/; s/^trade .*/trade stiff 1000 500/' gas.md >soft.md
@@ -481,7 +529,7 @@ kinds() {
 kinds 1 'cycles 9' 'A.x amplitude above 0' 'A.y min above 0' 'A.vx mean above 0'
 kinds 2 'cycles 9' 'A.x frequency expected 0 within 9 [x]' 'A.y at 3 cycles above 0' 'A.vx at 0.35 above 0'
 kinds 3 'cycles 9' 'A.x above 0' 'B.x above 0' 'A.y in a above 0' 'A.x max above 0' 'A.vy above 0'
-kinds 4 'until A.x above 0.3 at most 9 cycles\nstage b\ncycles 9' 'time above 0' 'step above 0' 'report A.vx' 'energy.balance expected 0 within 1 [x]' 'A.x in a above 0' 'A.x above 0'
+kinds 4 'until A.x above 0.3 at most 9 cycles\nstage b\ncycles 9' 'time above 0' 'step above 0' 'report A.vx' 'energy.balance expected 0 within 1 [x]' 'A.x in a above 0' 'A.x above 0' 'A.vx above 0'
 printf '# A path\n```contact-test\nunits none\nmaterial rock young 100 poisson 0 friction 1\ncontact sphere 1 rock with wall rock\nnormal hertz\nshear mindlin\nrecord shear normal\n' >kinds/5.md
 printf 'segment p normal to 1 in 9 steps\nsegment s slip by 0.001 in 9 steps\n```\n```expect\nshear max above 0\nnormal above 0\n```\n' >>kinds/5.md
 {
@@ -502,12 +550,27 @@ test "$(rows kinds/trades.tsv | cut -f 1,5-9 | sed 's,^kinds/\(.\).md,\1,' | tr 
 3|extreme|A.x max
 4|until|A.x in a
 4|time|A.x
+4|time|A.vx
 5|contact test|shear max
 5|contact test|normal
 6|impact|impact.duration
 6|extreme|C.normal max' && test "$(rows kinds/trades.tsv | cut -f 10-17,20,21 | sort -u | tr '\t' '|')" = '-|-|-|-|-|-|-|-|-|-' &&
-  test "$(rows kinds/trades.tsv | sed -n '1p;12p' | cut -f 3,4,18,19 | tr '\t\n' '|;')" = '-|-|linear|none;-|-|hertz|mindlin;'
+  test "$(rows kinds/trades.tsv | sed -n '1p;13p' | cut -f 3,4,18,19 | tr '\t\n' '|;')" = '-|-|linear|none;-|-|hertz|mindlin;'
 result $? 'the kinds of quantities, and rows without advice'
+# Below a folder only files NAME.md with a scene or a contact test are pages, in the order of the alphabet. A file that is named is searched.
+cp kinds/1.md kinds/.hidden.md && cp kinds/1.md kinds/1.txt && cp folder/README.md kinds
+run 1 advise --all kinds --budget 1e-9 && test "$(column trades/trades.tsv 1 | uniq | tr '\n' ' ')" = 'kinds/1.md kinds/2.md kinds/3.md kinds/4.md kinds/5.md kinds/6.md ' &&
+  grep -qx '6 of 6, 6: 2 searches, 0 with advice' "$why" && grep -qx '16 searches, 0 with advice; look at trades/trades.tsv' "$why"
+result $? 'the pages of a folder, and the folder of the table'
+run 2 advise --all kinds/README.md -o none && said 'kinds/README.md: error: expected a block of kind `scene`'
+result $? 'a file that is no page'
+# Of an even number of runs the middle one is the first one of the two in the middle; several swept values are named, and no other ones.
+sed 's/^sweep .*/sweep speed 0.1 0.2\nsweep kn 1 2\nlet d = 1/; s/density 1 kn 1$/density $d kn $kn/; s/^trade.*//' folder/a.md >even.md
+run 1 advise --all even.md --budget 1e-9 -o even && test "$(column even/trades.tsv 3 | uniq)" = 'speed=0.1, kn=2'
+result $? 'the middle one of four runs'
+run 1 advise --all still.md --quantity 'D.vx; D.x' --within 1e-5 --set step=0.2 --set 'trade=laws none' -o never
+rows never/trades.tsv | cut -f 3,6-10 | tee "$why" | head -n 1 | grep -qx 'step=0.2, trade=laws none	D.vx	1e-5	none	no setting that was tried is within the tolerance	-'
+result $? 'a search in which no setting is within the tolerance'
 
 run 0 advise --all folder --quantity D.vx --within '50 %' --set speed=0.2 -o below
 cp below/trades.tsv "$why"

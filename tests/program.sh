@@ -902,6 +902,9 @@ out '  more, 6 cycles'
 out '  some, 1 to 10 cycles: the condition on line 19 decides'
 out '  last, 34 to 43 cycles: the condition on line 21 decides'
 out '  56 to 74 cycles, '
+sed '/^stage last/,$s/time above 30/cycle above 60/' clock.md >number.md # `last` begins after 22 to 31 cycles
+run 0 explain number.md
+out '  last, 30 to 39 cycles: the condition on line 21 decides'
 run 0 run clock.md
 out '  65 cycles, 0 contact updates, '
 out ' s; expected 56 to 74 cycles'
@@ -925,6 +928,14 @@ for row in '1.4 3 8=6' '1.9 3 8=8' '1.4 10 8=8' '1.4 8 8=8' '0.9 4 9=4' '2.1 3 9
   run 0 explain every.md
   out "  fall, ${row#*=} cycles"
 done
+# Between the last cycle, 8, and the next multiple of 3 no condition is tested: 2.1 s is not reached.
+sed '/^stage fall/,/^until/s/above 2 every 3 cycles at most 100/above 2.1 every 3 cycles at most 8/' clock.md >between.md
+run 0 explain between.md
+out '  fall, does not end: the condition on line 11 does not hold within 8 cycles'
+# A condition that the clock fulfils from the start ends a stage at its first test; this is not evaluated.
+sed '/^stage fall/,/^until/s/above 2/below 2/' clock.md >below.md
+run 0 explain below.md
+out '  fall, 3 to 100 cycles: the condition on line 11 decides'
 sed '/^stage on/,/^until/s/time above 5/stage.time above 2/; /^stage last/,$s/time above 30/stage.time above 3/' clock.md >own.md
 run 0 explain own.md
 out '  on, 5 cycles'
@@ -933,6 +944,13 @@ out '  last, 7 cycles'
 sed 's/step 0.5/step 0.2 of single-contact/' clock.md >known.md
 run 0 explain known.md
 out '  on, 4 cycles'
+# The step of the first stage is known, here 0.4 (pi/2)^(1/2), of which 6 exceed 2 s.
+sed 's/^step 0.25/step 0.2 of stable/' clock.md >first.md
+run 0 explain first.md
+out '  fall, 6 cycles'
+sed 's/step 0.5/step 8 per collision/' clock.md >collision.md
+run 0 explain collision.md
+out '  on, about '
 for line in 'remove disc 2' 'material m kn 2'; do
   sed "s/^stage fall/&\\n$line/" known.md >about.md
   run 0 explain about.md
@@ -942,6 +960,10 @@ done
 # has.
 sed 's/step 0.5/step 0.2 of stable/; s/^until cycle above 20.*/step 0.25\nuntil time above 9 at most 70 cycles/' clock.md >behind.md
 run 0 explain behind.md
+out '  more, about '
+out '  some, 1 to 10 cycles: ' # its condition does not read the clock
+sed 's/time above 9 at most/time above 9 and D.x above 0 at most/' behind.md >both.md
+run 0 explain both.md
 out '  more, about '
 sed 's/^stage fall/&\nmaterial m kn 2/; s/^until cycle above 20.*/step 0.2 of single-contact\nuntil time above 9 at most 70 cycles/' clock.md >changed.md
 run 0 explain changed.md

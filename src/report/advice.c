@@ -127,9 +127,7 @@ static void print_cost(const struct nb_advice *advice, const struct nb_point *po
     printf(" in all %zu runs of the page", advice->runs);
   if (advice->query->over)
     fputs(" for a realization", stdout);
-  if (own->done)
-    printf(", %.3g %% of the %.0f with the page's own setting", 100 * point->updates / own->updates, own->updates);
-  putchar('\n');
+  printf(", %.3g %% of the %.0f with the page's own setting\n", 100 * point->updates / own->updates, own->updates);
 }
 
 enum { REPEATS = 5 };

@@ -235,7 +235,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
                        nb_point_at(advice, chosen)->updates))
       return;
   }
-  if (advice->setting_count == before && index > 0)
+  if (advice->setting_count == before)
     leave_out(advice, variant, highest);
 }
 
@@ -360,14 +360,15 @@ static bool list_values(struct nb_advice *advice, size_t trade) {
   return true;
 }
 
-/* True if the page has dashpots and neither `damping centred` nor `damping late`. Such dashpots use the velocity of
- * half a step before. */
+/* True if the page has dashpots and, in the stages with dashpots, neither `damping centred` nor `damping late`. Such
+ * dashpots use the velocity of half a step before. A `damping none` of another stage sets the time of its velocity, too. */
 static bool has_late_dashpots(const struct nb_advice *advice) {
   bool dashpots = false, timing = false;
   for (size_t r = 0; r < advice->runs; r++)
     for (size_t s = 0; s < advice->page.runs[r].scene.stage_count; s++) {
       const struct nb_damping *damping = &advice->page.runs[r].scene.stages[s].damping;
-      dashpots = dashpots || nb_damping_contact_line(damping) > 0, timing = timing || damping->centred_line;
+      const bool damped = nb_damping_contact_line(damping) > 0;
+      dashpots = dashpots || damped, timing = timing || (damped && damping->centred_line);
     }
   return dashpots && !timing;
 }
@@ -536,10 +537,8 @@ enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query 
       list_variants(advice, error))
     return error->status;
   enum nb_status status = find_anchor(advice, error);
-  if (!status) {
-    nb_trials_run(advice, &advice->variants[0], 0, 0, 1, 1);
+  if (!status)
     search(advice);
-  }
   return advice->no_memory ? nb_error_memory(error) : status;
 }
 

@@ -170,8 +170,8 @@ static void put_result(FILE *out, const struct nb_advice *advice, const char *re
     const struct nb_point *point = nb_point_at(advice, chosen), *own = &advice->variants[0].points[-NB_LEVEL_LOW];
     nb_advice_options(options, sizeof options, advice, chosen);
     put_text(out, options, "\t");
-    fprintf(out, "%.6g\t%.6g\t%.6g\t%.6g\t%s\t", own->done ? point->updates / own->updates : NAN, point->updates,
-            point->seconds, chosen->ratio * advice->tolerance.value, unit[0] ? unit : "1");
+    fprintf(out, "%.6g\t%.6g\t%.6g\t%.6g\t%s\t", point->updates / own->updates, point->updates, point->seconds,
+            chosen->ratio * advice->tolerance.value, unit[0] ? unit : "1");
   } else {
     put_text(out, reason, "\t-\t-\t-\t-\t-\t");
   }

@@ -352,7 +352,7 @@ static size_t count_inside(const struct nb_model *model, int region) {
   const struct nb_region_state *now = nb_region_state(model, region);
   size_t count = 0;
   for (size_t i = 0; i < model->particles.count; i++)
-    count += !nb_removed(model, i) && nb_region_contains(model, now, i);
+    count += nb_region_contains(model, now, i);
   return count;
 }
 
