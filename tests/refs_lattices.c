@@ -299,7 +299,7 @@ static void waves_of(int nx, int ny) {
            "lattice discs 1 by 3 from 3 4 radius 1 spacing 1.95 a\nlattice discs 1 by 3 from 4.95 4 radius 1 spacing "
            "1.95 a\n"
            "lattice discs 1 by 3 from 6.9 4 radius 1 spacing 1.95 a\nperturb wave 1e-3 2e-3 periods %d %d\n"
-           "monitor D disc 3\nmonitor C disc 1 with disc 2\nstep 0.1\nstage s\nrotation off\ncycles 1\n",
+           "monitor C disc 1 with disc 2\nmonitor D disc 3\nstep 0.1\nstage s\nrotation off\ncycles 1\n",
            nx, ny);
   VALUES("lattice_waves", page, 1e-3, {"D.vx", 1e-3 * wave * cos(sqrt((9 * x + across * y) / mass) * t), "time", t},
          {"D.vy", 2e-3 * wave * cos(sqrt((9 * y + across * x) / mass) * t), "time", t}, {"D.spin", 0, "time", t});
@@ -357,15 +357,38 @@ static void lattice_moduli(void) {
 #undef LATTICE
 #undef SHEARED
 #undef MOVING
+  /* Strains add up, also if a stage keeps the rate of the one before. Without friction there is no k_s. */
+  for (int hexagonal = 0; hexagonal < 2; hexagonal++)
+    for (int friction = 0; friction < 2; friction++) {
+      char page[1024];
+      snprintf(page, sizeof page,
+               "material a density 1 kn 9 ks 4 friction %d\nnormal linear\nshear linear\n"
+               "lattice spheres 4 by 4 %s from 1 1 radius 1 spacing 1.95 a\nperiodic cell 0 0 to 7.8 %.17g\nstep 0.1\n"
+               "stage s\ncell strain -1e-3 per cycle -2e-3 per cycle shear 3e-4 per cycle\ncycles 2\n"
+               "stage t\ncycles 3\nstage u\ncell strain 1e-2 4e-2 shear -5e-2\ncycles 4\n",
+               friction, hexagonal ? "hexagonal" : "", 7.8 * (hexagonal ? sqrt(0.75) : 1));
+      const double kn = 9. / 2, ks = friction * 4. / 2, b = sqrt(3) / 4, first = kn * 0.05 / 1.95; /* 2R = 2 thick */
+      const double along = hexagonal ? b * (3 * kn + ks) : kn, across = hexagonal ? b * (kn - ks) : 0,
+                   turned = hexagonal ? along - across : ks, rest = hexagonal ? 4 * b * first : first;
+      const double e[3][3] = {{-2e-3, -4e-3, 6e-4}, {-5e-3, -1e-2, 1.5e-3}, {-1e-3, 6e-3, -1.85e-2}};
+      double xx[3], yy[3], xy[3];
+      for (int s = 0; s < 3; s++)
+        xx[s] = rest - along * e[s][0] - across * e[s][1], yy[s] = rest - across * e[s][0] - along * e[s][1],
+        xy[s] = -turned * e[s][2];
+#define STRESS(in, s)                                                                                                  \
+  {"cell.stress.xx" in, xx[s]}, {"cell.stress.yy" in, yy[s]}, {"cell.stress.xy" in, xy[s]},                            \
+      {"cell.stress.yx" in, xy[s]}, {"cell.stress.mean" in, (xx[s] + yy[s]) / 2}
+      VALUES("lattice_moduli", page, 1, STRESS(" in s", 0), STRESS(" in t", 1), STRESS(" in u", 2), STRESS("", 2));
+#undef STRESS
+    }
 }
 
 /* An assembly that is at rest in an accumulated strain. */
 static void literal_field(void) {
 #define SPHERES(b)                                                                                                     \
   "material a density 3 young 7 poisson 0.2\nmaterial b density 3 young 7 poisson 0.2\nnormal hertz\n"                 \
-  "shear mindlin\nsphere 0 0 radius 1 a\nsphere 5 0 radius 2 a\nsphere 0 5 radius 1 " b                                \
-  "\nregion S circle 1 2 radius 3\n"                                                                                   \
-  "region R box 0 0 to 9 9\nmonitor D sphere 1\nstep 0.1 of rayleigh-fit-mean\n"
+  "shear mindlin\nsphere 0 0 radius 1 a\nsphere 5 0 radius 2 a\nsphere 0 5 radius 1 " b "\nregion R box 0 0 to 9 9\n"  \
+  "region S circle 1 2 radius 3\nregion T circle 0 0 radius 4\nmonitor D sphere 1\nstep 0.1 of rayleigh-fit-mean\n"
 #define LAST                                                                                                           \
   "a last stage with `affine strain E -E accumulated` per cycle, and a step that is a fraction of rayleigh-fit-mean"
 #define STRAIN(e) "stage s\naffine strain " e " accumulated\ncycles 1\n"
@@ -374,7 +397,8 @@ static void literal_field(void) {
   VALUES("literal_field",
          SPHERES("a") STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 0.25 of rayleigh-fit-mean\naffine strain "
                                                                "-2e-6 per cycle 2e-6 per cycle accumulated\ncycles 1\n",
-         0, {"S.unbalanced.force in t", mass * 2 / 3 * 3 * 2e-6 / (step * step)});
+         0, {"S.unbalanced.force in t", mass * 2 / 3 * 3 * 2e-6 / (step * step)},
+         {"T.unbalanced.force in t", mass * 2 / 3 * 4 * 2e-6 / (step * step)});
   PARTS("literal_field", SPHERES("a") "@", {STRAIN("1e-6 per cycle -1e-6 per cycle"), NULL},
         {STRAIN("1e-6 per cycle -1.1e-6 per cycle"), LAST}, {STRAIN("1e-6 per cycle 1e-6 per cycle"), LAST},
         {STRAIN("1e-6 -1e-6"), LAST}, {STRAIN("1e-6 per cycle -1e-6 per cycle c12 1e-9 per cycle"), LAST},
@@ -383,8 +407,12 @@ static void literal_field(void) {
          LAST},
         {"stage r\naffine strain 1e-6 per cycle -2e-6 per cycle\ncycles 1\n" STRAIN("1e-6 per cycle -1e-6 per cycle"),
          NULL},
-        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 0.1 of rayleigh-fit\ncycles 1\n", LAST},
-        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 1e-3\ncycles 1\n", LAST});
+        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 0.1 of rayleigh-fit\naffine strain 1e-6 per cycle "
+                                                  "-1e-6 per cycle accumulated\ncycles 1\n",
+         LAST},
+        {STRAIN("1e-6 per cycle -1e-6 per cycle") "stage t\nstep 1e-3\naffine strain 1e-6 per cycle -1e-6 per cycle "
+                                                  "accumulated\ncycles 1\n",
+         LAST});
   PARTS("literal_field", SPHERES("@") STRAIN("1e-6 per cycle -1e-6 per cycle"), {"a", NULL},
         {"b", "particles of one material"});
 #undef SPHERES
@@ -414,30 +442,65 @@ static void lattice_stress(void) {
     phi[0] += x * x, phi[1] += x * y, phi[2] += y * y, z++;
     fourth[0] += pow(x, 4), fourth[1] += x * x * y * y, fourth[2] += pow(y, 4);
   }
-  VALUES("lattice_stress", ROWS(FIRST, FOURTH, BOX), 0, {"R.stress.xx at 0 cycles", sigma[0]},
-         {"R.stress.xy at 0 cycles", sigma[1]}, {"R.stress.yy at 0 cycles", sigma[2]},
-         {"R.stress.mean at 0 cycles", (sigma[0] + sigma[2]) / 2},
-         {"R.stress.sinphi at 0 cycles",
-          sqrt(pow(sigma[0] - sigma[2], 2) + 4 * sigma[1] * sigma[1]) / (sigma[0] + sigma[2])},
-         {"R.fabric.xx at 0 cycles", phi[0] / z}, {"R.fabric.xy at 0 cycles", phi[1] / z},
-         {"R.fabric.yy at 0 cycles", phi[2] / z}, {"R.fabric.fourth.xxxx at 0 cycles", fourth[0] / z},
-         {"R.fabric.fourth.xxyy at 0 cycles", fourth[1] / z}, {"R.fabric.fourth.yyyy at 0 cycles", fourth[2] / z},
-         {"R.fabric.kk at 0 cycles", 2 * z / (s * h)}, {"R.coordination at 0 cycles", 2 * z},
-         {"R.porosity at 0 cycles", 1 - pi / (s * h)});
+#define REGION(area)                                                                                                   \
+  {"R.stress.xx at 0 cycles", sigma[0]}, {"R.stress.xy at 0 cycles", sigma[1]}, {"R.stress.yy at 0 cycles", sigma[2]}, \
+      {"R.stress.mean at 0 cycles", (sigma[0] + sigma[2]) / 2},                                                        \
+      {"R.stress.sinphi at 0 cycles",                                                                                  \
+       sqrt(pow(sigma[0] - sigma[2], 2) + 4 * sigma[1] * sigma[1]) / (sigma[0] + sigma[2])},                           \
+      {"R.fabric.xx at 0 cycles", phi[0] / z}, {"R.fabric.xy at 0 cycles", phi[1] / z},                                \
+      {"R.fabric.yy at 0 cycles", phi[2] / z}, {"R.fabric.fourth.xxxx at 0 cycles", fourth[0] / z},                    \
+      {"R.fabric.fourth.xxyy at 0 cycles", fourth[1] / z}, {"R.fabric.fourth.yyyy at 0 cycles", fourth[2] / z},        \
+      {"R.fabric.kk at 0 cycles", 2 * z / (area)}, {"R.coordination at 0 cycles", 2 * z},                              \
+      {"R.porosity at 0 cycles", 1 - pi / (area)}
+  VALUES("lattice_stress", ROWS(FIRST, FOURTH, BOX), 0, REGION(s * h));
+  VALUES("lattice_stress", ROWS(FOURTH, FIRST, BOX), 0, REGION(s * h)); /* from top to bottom: a_2 points down */
+  /* Five neighbours on each side, at multiples of 0.375, and a row at the distance 2 that just touches. */
+  double stress = 0;
+  for (int k = 1; k <= 5; k++)
+    stress += 9 * (2 - 0.375 * k) * 0.375 * k / (0.375 * 2);
+  sigma[1] = phi[1] = fourth[1] = 0, z = 5;
+  for (int upright = 0; upright < 2; upright++) {
+    for (int k = 0; k < 2; k++)
+      sigma[2 * k] = k == upright ? stress : 0, phi[2 * k] = fourth[2 * k] = k == upright ? z : 0;
+    VALUES("lattice_stress",
+           upright
+               ? "material a density 1 kn 9\nnormal linear\nlattice discs 2 by 1 from 0 0 radius 1 spacing 2 a\n"
+                 "lattice discs 2 by 1 from 0 0.375 radius 1 spacing 2 a\nregion R box 1 1 to 3 1.375\n"
+                 "step 1\nstage s\ncycles 1\n"
+               : "material a density 1 kn 9\nnormal linear\nlattice discs 3 by 1 from 0 0 radius 1 spacing 0.375 a\n"
+                 "lattice discs 3 by 1 from 0 2 radius 1 spacing 0.375 a\nregion R box 1 1 to 1.375 3\n"
+                 "step 1\nstage s\ncycles 1\n",
+           1, REGION(0.375 * 2));
+  }
+#undef REGION
 #define THIRD(more) "disc 0.8 3.6 radius 1 a\n" more "\n"
-  PARTS("lattice_stress", "@", {ROWS(FIRST, "", BOX), NULL},
-        {ROWS("disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\n", "", BOX), NULL}, {ROWS("", "", BOX), EQUAL},
-        {ROWS("lattice discs 4 by 1 from -7.2 1.8 radius 1 spacing 1.9 a\n", "", BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 a"), BOX), NULL},
-        {ROWS(FIRST, THIRD("disc 2.7001 3.6 radius 1 a"), BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.6001 radius 1 a"), BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.5999 radius 1 a"), BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1.001 a"), BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 0.999 a"), BOX), EQUAL},
-        {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 b"), BOX), EQUAL}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.2 2"), CELLS},
-        {ROWS(FIRST, "", "box 0.3 0.2 to 4 2"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 2.1"), CELLS},
-        {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 1.9"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 2.2 3.8"), NULL},
-        {ROWS(FIRST, "", "circle 2 2 radius 1.9"), CELLS});
+  PARTS(
+      "lattice_stress", "@", {ROWS(FIRST, "", BOX), NULL},
+      {ROWS("disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\n", "", BOX), NULL}, {ROWS("", "", BOX), EQUAL},
+      {ROWS("lattice discs 4 by 1 from -7.2 1.8 radius 1 spacing 1.9 a\n", "", BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 a"), BOX), NULL},
+      {ROWS(FIRST, THIRD("disc 2.7001 3.6 radius 1 a"), BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.7 3.6001 radius 1 a"), BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.74 3.78 radius 1 a"), BOX), EQUAL}, /* by a_2/10 */
+      {"material a density 1 kn 9\nnormal linear\ndisc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\n"
+       "disc 0.4 1.8 radius 1 a\nregion R " BOX "\nstep 1\nstage s\ncycles 1\n",
+       NULL},
+      {"material a density 1 kn 9\nnormal linear\ndisc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\nregion R " BOX
+       "\nstep 1\nstage s\ncycles 1\n",
+       EQUAL},
+      {"material a density 1 kn 9\nnormal linear\ndisc 0 0 radius 1 a\nregion R " BOX "\nstep 1\nstage s\ncycles 1\n",
+       EQUAL},
+      {"material a density 1 kn 9\nnormal linear\ndisc 0 0 radius 1 a\ndisc 1.9 0.4 radius 1 a\ndisc 0 1.8 radius 1 a\n"
+       "region R box 0.1 0.1 to 2 1.9\nstep 1\nstage s\ncycles 1\n",
+       CELLS}, /* rows that are not along x */
+      {ROWS(FIRST, "", BOX "\nregion S box 0.3 0.2 to 4.2 2"), CELLS},
+      {ROWS(FIRST, THIRD("disc 2.7 3.5999 radius 1 a"), BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1.001 a"), BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 0.999 a"), BOX), EQUAL},
+      {ROWS(FIRST, THIRD("disc 2.7 3.6 radius 1 b"), BOX), EQUAL}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.2 2"), CELLS},
+      {ROWS(FIRST, "", "box 0.3 0.2 to 4 2"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 2.1"), CELLS},
+      {ROWS(FIRST, "", "box 0.3 0.2 to 4.1 1.9"), CELLS}, {ROWS(FIRST, "", "box 0.3 0.2 to 2.2 3.8"), NULL},
+      {ROWS(FIRST, "", "circle 2 2 radius 1.9"), CELLS});
 #undef ROWS
 #undef FIRST
 #undef FOURTH

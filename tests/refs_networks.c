@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "lattice.h"
+#include "limit.h"
 #include "refs_scenes.h"
 #include "refs_tables.h"
 #include "suites.h"
@@ -17,9 +18,10 @@
 /* ---- the motion of the walls ----------------------------------------------------------------------------------------- */
 
 /* A disc between two walls. Wall w moves from the start; wall e turns about (5, 1), which is 3 from its line. */
-#define TURNS(particles, spin)                                                                                         \
+#define TURNS(particles, ends, spin)                                                                                   \
   "material m density 2 kn 20\nmaterial a kn 60\nmaterial h density 1 kn 500\nnormal linear\ndisc 0 0 radius 2 "       \
-  "m\n" particles "\nwall w -2 -9 to -2 9 a velocity 0.01 0\nwall e 2 -11 to 2 7 a about 5 1\nstep 0.25 of "           \
+  "m\n" particles "\nwall w -2 -9 to -2 9 a velocity 0.01 0.004\nwall e " ends " a about 5 1 velocity 0.002 -0.003 "   \
+  "spin 0.001\nstep 0.25 of "                                                                                          \
   "single-contact\nstage s\ncycles 4\nstage t\nwall e velocity -0.02 0.03 spin " spin "\ncycles 3\nstage u\n"          \
   "wall w velocity -0.05 0\nwall e velocity 0 0 spin 0\ndamping mass 4\ncycles 5\nstage v\nwalls stop\n"               \
   "damping none\ncycles 2\nstage w\nstep 0.5 of single-contact\ncycles 7\n"
@@ -33,7 +35,7 @@ static void check_walls(const char *page, size_t w, double dt, double spin, doub
   CU_ASSERT_EQUAL_FATAL(lattice_build(&lattice, &it.scene, &error), NB_OK);
   /* the velocities of wall w, whose index is given, and of e: x, y and spin of each, in the stages s to w */
   const double velocity[5][6] = {
-      {0.01}, {0.01, 0, 0, -0.02, 0.03, spin}, {-0.05}, {0}, {0},
+      {0.01, 0.004, 0, 0.002, -0.003, 0.001}, {0.01, 0.004, 0, -0.02, 0.03, spin}, {-0.05}, {0}, {0},
   };
   const unsigned long cycles[5] = {4, 3, 5, 2, 7};
   double travel[6] = {0};
@@ -63,13 +65,18 @@ static void check_walls(const char *page, size_t w, double dt, double spin, doub
 }
 
 /* The single-contact step is that of the lightest free particle and of the stiffest pair of materials, although these
- * belong to other particles, or to a wall. Wall e turns by at most 3 spin dt, and its farthest end is (12^2 + 3^2)^(1/2)
- * from its point P; wall w moves by 0.18 dt to the left. */
+ * belong to other particles, or to a wall. Wall e turns by at most 0.056 dt, and its farthest end is (12^2 + 3^2)^(1/2)
+ * from its point P, whichever end comes first; wall w moves by 0.18 dt to the left. */
 static void walls_of_stages(void) {
   const double light = 0.5 * sqrt(2 * pi / (2 * 20 * 500 / 520.)), heavy = 0.5 * sqrt(8 * pi / 500);
-  check_walls(TURNS("disc 90 90 radius 1 m\ndisc 90 -90 radius 0.5 m fixed\nwall f 50 -3 to 50 5 h", "-0.02"), 1, light,
-              -0.02, 0.06 * light * hypot(12, 3));
-  check_walls(TURNS("disc 90 90 radius 2 m\ndisc 90 -90 radius 0.5 h fixed\ndisc 90 -99 radius 0.5 h fixed", "0.002"),
+  check_walls(
+      TURNS("disc 90 90 radius 1 m\ndisc 90 -90 radius 0.5 m fixed\nwall f 50 -3 to 50 5 h", "2 -11 to 2 7", "-0.02"),
+      1, light, -0.02, 0.056 * light * hypot(12, 3));
+  check_walls(
+      TURNS("disc 90 90 radius 1 m\ndisc 90 -90 radius 0.5 m fixed\nwall f 50 -3 to 50 5 h", "2 7 to 2 -11", "-0.02"),
+      1, light, -0.02, 0.056 * light * hypot(12, 3));
+  check_walls(TURNS("disc 90 90 radius 2 m\ndisc 90 -90 radius 0.5 h fixed\ndisc 90 -99 radius 0.5 h fixed",
+                    "2 -11 to 2 7", "0.002"),
               0, heavy, 0.002, 0.18 * heavy);
 }
 
@@ -109,8 +116,9 @@ static void forces_of_stages(void) {
   "material m density 1 kn 20\nnormal linear\ndisc 0 0 radius 2 m\n" more "\nwall w -2 -1 to -2 1 m\nwall e 2 -1 to "  \
   "2 1 m\nmonitor W disc 1 with wall w\nstep 0.1\nstage s\nwall w velocity 0.01 0\ncycles 10\nstage t\n"               \
   "wall w velocity -0.01 0\ncycles 10\n"
-#define GAP(which, other, gap)                                                                                         \
-  "this reference is for particles that just touch: the gap between particle 1 and " which " " other " is " gap        \
+#define GAP(which, other, gap) GAP_OF("1", which, other, gap)
+#define GAP_OF(one, which, other, gap)                                                                                 \
+  "this reference is for particles that just touch: the gap between particle " one " and " which " " other " is " gap  \
   " m; it must be 0, or more than twice the displacement of the walls"
 static void gaps_that_stay_open(void) {
   static const struct {
@@ -123,6 +131,8 @@ static void gaps_that_stay_open(void) {
       {BESIDE("disc 9 9 radius 1 m\ndisc 0 (-3 - 2.1e-9) radius 1 m"), GAP("particle", "3", "2.1e-09")},
       {BESIDE("disc 0 (3 - 1.9e-9) radius 1 m"), NULL},
       {BESIDE("disc 0 (3 - 2.1e-9) radius 1 m"), GAP("particle", "2", "-2.1e-09")},
+      {BESIDE("disc 9 9 radius 1 m\ndisc (12 + 0.9e-9) 9 radius 2 m"), NULL}, /* 1e-9 of the radius of disc 2 */
+      {BESIDE("disc 9 9 radius 1 m\ndisc (12 + 1.1e-9) 9 radius 2 m"), GAP_OF("2", "particle", "3", "1.1e-09")},
       {BESIDE("wall n -9 2.02001 to 9 2.02001 m"), NULL},
       {BESIDE("wall n -9 2.01999 to 9 2.01999 m"), GAP("wall", "1", "0.01999")},
       {BESIDE("wall n -9 -2.01999 to 9 -2.01999 m"), GAP("wall", "1", "0.01999")},
@@ -192,6 +202,62 @@ static void friction_and_cohesion(void) {
 #undef SLIPS
 }
 
+/* The disc between plates of other frictions and of the shear stiffnesses 6 and 4. Without sliding the shear forces t of
+ * the plates are equal, so that nothing turns the disc: t/6 + t/4 = 2 (0.001 - 2 t/7.5), t = 0.14 n. A plate of less
+ * friction slides, and the shear force at the other one is as large. */
+#define PLATES(low, high, stop, stages)                                                                                \
+  "material d density 1 kn 10 ks 4 friction 0.95\nmaterial p kn 30 ks 12 friction " low                                \
+  "\nmaterial q kn 30 ks 4 friction " high "\nmaterial s kn 6 " stop                                                   \
+  "\nnormal linear\nshear linear\ndisc 5 7 radius 2 d\nwall stop 3 6 to 3 8 s\nwall low 0 5 to 9 5 p\n"                \
+  "wall high 0 9 to 9 9 q\nmonitor L disc 1 with wall low\nmonitor H disc 1 with wall high\n"                          \
+  "monitor S disc 1 with wall stop\nstep 0.1\nstage s\n" stages
+#define BOTH_MOVE "wall high velocity -0.001 -0.002\nwall low velocity -0.001 0\ncycles 10\n"
+static void one_plate_slides(void) {
+  const double n = 15 * 0.001, t = 0.1 * n;
+#define SLIDES(suffix)                                                                                                 \
+  {"L.normal" suffix, n}, {"L.shear" suffix, -t}, {"H.normal" suffix, n}, {"H.shear" suffix, t},                       \
+      {"S.normal" suffix, 2 * t}, {"S.shear" suffix, 0}
+  VALUES("nine_discs_slip", PLATES("0.1", "0.9", "", BOTH_MOVE), 1, SLIDES(" in s"), SLIDES(""));
+  VALUES("nine_discs_slip", PLATES("0.9", "0.1", "", BOTH_MOVE), 1, SLIDES(" in s"), SLIDES(""));
+  VALUES("nine_discs_slip", PLATES("0.1", "0.1", "", BOTH_MOVE), 1, SLIDES(" in s"), SLIDES(""));
+#undef SLIDES
+  /* Both forces exceed f n, and both contacts are taken to slide, although one of them holds: a moment remains. In the
+   * forces along x and y, and the moment times 2^(1/2)/R, the load is 0.03 (-f_h, -1, 2^(1/2) f_h), and springs cannot
+   * balance its component along (0, (f_l + f_h)/2^(1/2), 1). */
+  const double l = 0.1, h = 0.12;
+  char message[128];
+  snprintf(message, sizeof message, "the network has no equilibrium: %g of its load remains",
+           (h - l) / sqrt(2 * (1 + 3 * h * h) * (1 + (l + h) * (l + h) / 2)));
+  refs_check_error("nine_discs_slip", PLATES("0.1", "0.12", "", BOTH_MOVE), message);
+  /* A stop with a shear force takes the moment. Without sliding the fractions of the normal forces are 0.0593 at the lower
+   * plate and 0.197 at the upper one. If the upper plate alone slides, 0.0026 remain at the lower one, which then holds. */
+  refs_check_error("nine_discs_slip", PLATES("0.05", "0.01", "ks 4 friction 0.9", BOTH_MOVE),
+                   "no equilibrium was found: a contact would have to slide against its shear force");
+  refs_check_error("nine_discs_slip", PLATES("0.06", "0.01", "ks 4 friction 0.9", BOTH_MOVE), NULL);
+}
+
+/* A contact that has opened has no force and no stiffness: after the stop has moved away, the plates press the disc with
+ * equal forces. */
+static void a_contact_stays_open(void) {
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(refs_solve(&solution, "nine_discs_distortion",
+                             PLATES("0.9", "0.9", "ks 4 friction 0.9",
+                                    "wall stop velocity -0.01 0\ncycles 10\nstage t\nwalls stop\n"
+                                    "wall high velocity 0 -0.002\ncycles 10\n"),
+                             &error),
+                  NB_OK);
+  static const struct expected rows[] = {{"L.normal", 0.015, NULL, 0}, {"H.normal", 0.015, NULL, 0},
+                                         {"L.shear", 0, NULL, 0},      {"H.shear", 0, NULL, 0},
+                                         {"S.normal", 0, NULL, 0},     {"S.shear", 0, NULL, 0}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    REFS_NEAR(refs_value(&solution, rows[k].name), rows[k].value, 1e-8, 0.015);
+  CU_ASSERT_EQUAL(refs_value(&solution, "S.normal in s"), 0);
+  solution_free(&solution);
+}
+#undef BOTH_MOVE
+#undef PLATES
+
 /* Without a shear law, cohesion has no effect. */
 static void cohesion_without_a_shear_law(void) {
   static const char *const references[] = {"nine_discs", "nine_discs_slip", "nine_discs_distortion"};
@@ -215,8 +281,8 @@ static void contacts_that_open(void) {
   for (; x <= 0.002; n++)
     v += 0.1 / 5 * (30 * (0.001 * (n < 2 ? n : 2) - x) - 120. / 13 * x), x += 0.1 * v;
   char page[1024], message[256];
-  for (int k = 0; k < 2; k++) {
-    snprintf(page, sizeof page, PUSHED("0.1", "2\nstage t\nwalls stop\ncycles %d\n"), n - 3 + k);
+  for (int k = 0; k < 3; k++) {
+    snprintf(page, sizeof page, PUSHED("0.1", "2\nstage t\nwalls stop\ncycles %d\n"), n - 3 + k * k);
     snprintf(message, sizeof message,
              "this reference is for contacts that stay closed; the contact of particle 1 with wall 2 opens at cycle %d",
              n);
@@ -326,14 +392,25 @@ static void rows_of_two_particles(void) {
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     refs_check_error("two_wall_compression", rows[k].page, rows[k].message);
-  struct nb_solution solution;
-  struct nb_error error = {0};
-  CU_ASSERT_EQUAL(refs_solve(&solution, "two_wall_compression",
-                             ROW(SECOND, BEHIND, AHEAD, APPROACH "damping mass 1\ncycles 3\nstage t\ndamping none\n"),
-                             &error),
-                  NB_OK);
-  CU_ASSERT_EQUAL(solution.value_count + solution.curve_count, 0); /* damped from the start */
-  solution_free(&solution);
+  for (int k = 0; k < 2; k++) {
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    CU_ASSERT_EQUAL(
+        refs_solve(&solution, "two_wall_compression",
+                   k ? ROW(SECOND, BEHIND, AHEAD, APPROACH "damping mass 1\ncycles 3\nstage t\nstep 0.2\n")
+                     : ROW(SECOND, BEHIND, AHEAD, APPROACH "damping mass 1\ncycles 3\nstage t\ndamping none\n"),
+                   &error),
+        NB_OK);
+    CU_ASSERT_EQUAL(solution.value_count + solution.curve_count, 0); /* damped from the start */
+    solution_free(&solution);
+  }
+  /* One wall moves on alone, so the walls approach by 0.1 (2 * 0.02 + 3 * 0.03): three springs of 20 in series. */
+  const double force = 0.013 * 20 / 3;
+  VALUES("two_wall_statics",
+         ROW(SECOND, BEHIND, AHEAD,
+             APPROACH
+             "cycles 2\nstage t\nwall p velocity 0.03 0\nwall q velocity 0 0\ncycles 3\nstage u\nwalls stop\n"),
+         1, {"P.normal", force}, {"P.normal mean", force}, {"P.overlap", force / 20}, {"P.shear", 0});
 }
 
 static void up_to_a_thousand_particles(void) {
@@ -349,6 +426,59 @@ static void up_to_a_thousand_particles(void) {
 #undef MANY
 }
 
+/* A fixed particle counts as a contact only of free ones, and a wall behind it changes nothing. Without springs, or if the
+ * factor CON1 of forces is 0, no step is too long; with a dashpot of 1e309 N s/m every step is. */
+static void steps_without_limit(void) {
+#define ON_WALL(kn, damping, more)                                                                                     \
+  "material m density 1 kn " kn "\nnormal linear\n" more "disc 0 0 radius 2 m\nwall p -2 -9 to -2 9 m\nstep 0.001\n"   \
+  "damping " damping "\nstage s\ncycles 1\n"
+#define NO_SPRING "no spring of this scene moves a particle, so no step is too long"
+#define NO_STEP "the reference `step_limit` finds no step at which these springs and dashpots are stable"
+  nb_references_prepare();
+  refs_check_error("step_limit", ON_WALL("20", "none", ""), NULL);
+  refs_check_error("step_limit", ON_WALL("0", "none", ""), NO_SPRING);
+  refs_check_error("step_limit", ON_WALL("20", "con1 0 as all", ""), NO_SPRING);
+  refs_check_error("step_limit", ON_WALL("20", "con1 0 as velocity", ""), NULL);
+  refs_check_error("step_limit", ON_WALL("1e10", "stiffness 1e300", ""), NO_STEP);
+  refs_check_error("step_limit", ON_WALL("20", "ratio 0.2", "disc -4 0 radius 2 m fixed\nwall q -6 -9 to -6 9 m\n"),
+                   NULL);
+  struct words words = {0};
+  struct written it;
+  struct limit limit;
+  struct nb_error error = {0};
+  words_add(&words, "units none\n%s", ON_WALL("1e10", "stiffness 1e300", ""));
+  written_scene(&it, &words);
+  CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, 1e-9, &error), NB_OK);
+  CU_ASSERT(isnan(limit_of_cycle(&limit)) && isnan(limit_of_modes(&limit)));
+  CU_ASSERT(isnan(limit_of_contacts(&limit, &it.scene)));
+  limit_free(&limit);
+  written_free(&it);
+#undef ON_WALL
+#undef NO_SPRING
+#undef NO_STEP
+  /* the load is 1e160 * 3e154 N */
+  refs_check_error("nine_discs_statics",
+                   "material m density 1 kn 1e160\nnormal linear\ndisc 0 0 radius 2 m\nwall p -2 -9 to -2 9 m\n"
+                   "wall q 2 -9 to 2 9 m\nstep 1\nstage s\nwall p velocity 1e154 0\ncycles 3\n",
+                   "the network cannot be solved: its stiffnesses or masses differ too much or are too large");
+}
+
+/* A disc between walls in any direction: nothing resists its motion along the walls, or its rotation. */
+static void walls_in_any_direction(void) {
+  for (int k = 0; k < 100; k++) {
+    const double c = cos(0.0628 * k), s = sin(0.0628 * k);
+    char page[1024];
+    snprintf(page, sizeof page,
+             "material m density 1 kn 20\nnormal linear\ndisc 3 4 radius 2 m\nwall p %.17g %.17g to %.17g %.17g m\n"
+             "wall q %.17g %.17g to %.17g %.17g m\nmonitor P disc 1 with wall p\nstep 0.1\nstage s\n"
+             "wall p velocity %.17g %.17g\ncycles 4\n",
+             3 - 2 * c - 9 * s, 4 - 2 * s + 9 * c, 3 - 2 * c + 9 * s, 4 - 2 * s - 9 * c, 3 + 2 * c + 9 * s,
+             4 + 2 * s - 9 * c, 3 + 2 * c - 9 * s, 4 + 2 * s + 9 * c, 0.01 * c, 0.01 * s);
+    VALUES("nine_discs_statics", page, 1, {"P.normal", 0.04}, {"P.shear", 0}, {"P.normal in s", 0.04},
+           {"P.shear in s", 0});
+  }
+}
+
 void suite_refs_networks(void) {
   CU_pSuite suite = CU_add_suite("refs_networks", NULL, refs_released);
   CU_ADD_TEST(suite, walls_of_stages);
@@ -356,10 +486,14 @@ void suite_refs_networks(void) {
   CU_ADD_TEST(suite, gaps_that_stay_open);
   CU_ADD_TEST(suite, ends_of_walls);
   CU_ADD_TEST(suite, friction_and_cohesion);
+  CU_ADD_TEST(suite, one_plate_slides);
+  CU_ADD_TEST(suite, a_contact_stays_open);
   CU_ADD_TEST(suite, cohesion_without_a_shear_law);
   CU_ADD_TEST(suite, contacts_that_open);
   CU_ADD_TEST(suite, sums_of_waves);
   CU_ADD_TEST(suite, the_wave_that_dominates);
   CU_ADD_TEST(suite, rows_of_two_particles);
   CU_ADD_TEST(suite, up_to_a_thousand_particles);
+  CU_ADD_TEST(suite, steps_without_limit);
+  CU_ADD_TEST(suite, walls_in_any_direction);
 }

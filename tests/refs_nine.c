@@ -253,6 +253,11 @@ static void modes_equal_ode(void) {
   CU_ASSERT(spin > 1e-3); /* the discs do rotate */
   free(normal);
   free(shear);
+  lattice.step *= 10; /* too long for the calculation cycle only */
+  CU_ASSERT_PTR_NULL(oscillation_create(&lattice, &modes, 0, OSCILLATION_STEPS, 1, &error));
+  normal = oscillation_create(&lattice, &modes, 0, OSCILLATION_CONTINUOUS, 1, &error);
+  CU_ASSERT_PTR_NOT_NULL(normal);
+  free(normal);
   gsl_odeiv2_driver_free(driver);
   oscillation_modes_free(&modes);
   lattice_free(&lattice);

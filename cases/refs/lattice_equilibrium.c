@@ -101,7 +101,7 @@ enum nb_status lattice_check_forces(const struct lattice *lattice, const gsl_vec
           error, NB_BAD_USE,
           "this reference is for contacts that stay closed; the contact of particle %d with %s %d opens at cycle %g",
           contact->a + 1, other, contact->b + 1, cycle);
-    if (contact->pair.ks > 0 && shear > normal * contact->pair.friction + contact->pair.cohesion + allowed)
+    if (shear > normal * contact->pair.friction + contact->pair.cohesion + allowed)
       return nb_error_set(
           error, NB_BAD_USE,
           "this reference is for contacts that do not slip; the contact of particle %d with %s %d slips at cycle "
@@ -118,7 +118,7 @@ static bool mark_sliding(const struct lattice *lattice, const gsl_vector *forces
   for (size_t c = 0; c < lattice->contact_count; c++) {
     const struct matter_pair *pair = &lattice->contacts[c].pair;
     double normal = gsl_vector_get(forces, 2 * c), shear = gsl_vector_get(forces, 2 * c + 1);
-    if (slides[c] || pair->ks <= 0 || normal < 0 || fabs(shear) <= pair->friction * normal + allowed)
+    if (normal < 0 || fabs(shear) <= pair->friction * normal + allowed)
       continue;
     slides[c] = shear > 0 ? 1 : -1;
     more = true;

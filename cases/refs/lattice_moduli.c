@@ -95,8 +95,7 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
         scene->particles[k].shape != first->shape)
       return refuse(error, "equal particles");
-  if (it->hertz ? strcmp(scene->shear, "none") != 0
-                : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
+  if (strcmp(scene->shear, it->hertz ? "none" : "linear") != 0)
     return refuse(error, "linear springs, or elastic spheres without shear");
   const int count = neighbours(scene, &it->spacing);
   if (count != 4 && count != 6)

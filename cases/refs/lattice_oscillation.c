@@ -171,7 +171,7 @@ static double wave_amplitude(const struct oscillation *oscillation, size_t i) {
     return 0;
   for (size_t j = 0; j < oscillation->count; j++) {
     const struct oscillation_term *term = &oscillation->terms[j];
-    if (term->phase <= 0 || fabs(term->phase - phase) > same_phase * phase)
+    if (fabs(term->phase - phase) > same_phase * phase)
       continue;
     if (j < i)
       return 0;

@@ -12,13 +12,12 @@ static const double straight = 1e-9;
 /* Finds the contacts A, B, C. Other contacts must have no effect: perpendicular to the row, with k_s = 0. */
 static bool sort_contacts(struct lattice_row *row) {
   const struct lattice *lattice = &row->lattice;
-  size_t found[3] = {0};
+  size_t found[3] = {0}; /* B is the only contact of the two particles */
   const struct lattice_contact *between = NULL;
   for (size_t c = 0; c < lattice->contact_count; c++)
     if (!lattice->contacts[c].wall) {
       between = &lattice->contacts[c];
       row->contact[1] = c;
-      found[1]++;
     }
   if (!between)
     return false;
@@ -35,7 +34,7 @@ static bool sort_contacts(struct lattice_row *row) {
     row->contact[place] = c;
     found[place]++;
   }
-  return found[0] == 1 && found[1] == 1 && found[2] == 1;
+  return found[0] == 1 && found[2] == 1;
 }
 
 /* The component of a wall's displacement or velocity toward the particles, at contact A (place 0) or C (place 2).

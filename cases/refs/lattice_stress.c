@@ -31,7 +31,7 @@ struct lattice {
 static bool find_lattice(struct lattice *lattice, const struct nb_scene *scene) {
   const struct nb_particle *b = scene->particles;
   double nearest = INFINITY;
-  if (scene->particle_count < 4)
+  if (scene->particle_count < 2)
     return false;
   *lattice = (struct lattice){.x1 = b[1].x - b[0].x, .y1 = b[1].y - b[0].y};
   const double length = hypot(lattice->x1, lattice->y1);
@@ -63,8 +63,11 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
 static void add_region(struct nb_solution *solution, const char *name, const struct lattice *a, double radius,
                        double kn) {
   double sigma[3] = {0}, phi[3] = {0}, fourth[3] = {0}, z = 0;
-  for (int i = -4; i <= 4; i++)
-    for (int j = -4; j <= 4; j++) {
+  /* d = i a_1 + j a_2 has |i| = |d x a_2|/A and |j| = |d x a_1|/A; |d| < 2R */
+  const int most_i = (int)(2 * radius * hypot(a->x2, a->y2) / a->area);
+  const int most_j = (int)(2 * radius * hypot(a->x1, a->y1) / a->area);
+  for (int i = -most_i; i <= most_i; i++)
+    for (int j = -most_j; j <= most_j; j++) {
       const double x = i * a->x1 + j * a->x2, y = i * a->y1 + j * a->y2, d = hypot(x, y);
       if ((i == 0 && j == 0) || d >= 2 * radius)
         continue;

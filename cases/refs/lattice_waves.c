@@ -44,10 +44,8 @@ static void add_contacts(gsl_matrix *k, const struct waves_lattice *it, double a
   for (int i = 0; i < 2; i++) {
     for (int j = 0; j < 2; j++)
       add(k, i, j, 2 * (1 - cos(phi)) * (it->kn * e[i] * e[j] + across * n[i] * n[j]));
-    if (it->rotates) {
-      add(k, i, 2, -2 * it->ks * it->radius * sin(phi) * n[i]);
+    if (it->rotates) /* GSL reads only the lower triangle of K */
       add(k, 2, i, -2 * it->ks * it->radius * sin(phi) * n[i]);
-    }
   }
   if (it->rotates)
     add(k, 2, 2, 2 * it->ks * it->radius * it->radius * (1 + cos(phi)));
