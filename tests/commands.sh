@@ -819,8 +819,11 @@ $ laws | sed -n '/mindlin_deresiewicz  /,/history/p; /^normal  linear/,/history/
   with the stiffnesses a and b has 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives
   another stiffness.
 = 0
-$ list | sed -n 1p
+$ list | sed -n '1,3p;$p'
   references, for `reference NAME` in a page:
+    momentum                 free particles conserve momentum; without shear forces also angular momentum  [CS79 20-23]
+    contact_ladder           shear laws along a path of slip at constant normal force in closed form, and their errors in an impact  [R89 3.25, 3.40, 3.50]
+    wedge                    a particle at rest in a wedge of two walls without friction: statics, and the guaranteed step  [CS79 20-25]
 = 0
 $ advise good.md
 ! nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '1 %'`, and with --budget a number of seconds above 0; for many pages write `nineball advise --all`

@@ -436,6 +436,9 @@ static void rotation_off(void) {
          {"D.vx in d", v}, {"D.spin in d", -v / 2}, {"energy.changed in d", -first}, {"D.vx in e", 0},
          {"D.spin in e", 0}, {"energy.changed in e", -second}, {"time in e", 4 + roll + stop}, {"D.vx in f", 0},
          {"D.spin in f", 0}, {"energy.changed in f", -second});
+#define OTHERS                                                                                                         \
+  "a step given as a time, stages that change only `rotation` and the friction of the pair, and a contact point that " \
+  "moves in +x"
 #define LEVEL "one particle that moves in +x on a level floor, under gravity"
 #define LONG "a floor so long that the particle does not reach its end"
   char page[1024];
@@ -446,8 +449,11 @@ static void rotation_off(void) {
   }
   PARTS("rotation_off", ROTATES("@", ""), {"6.99 3 to 99 3", NULL}, {"7.01 3 to 99 3", LEVEL}, {"99 3 to 6.99 3", NULL},
         {"99 3 to 7.01 3", LEVEL}, {"9.94 3 to -9 3", LONG}, {"9.96 3 to -9 3", LONG}, {"-9 5 to 99 5", LEVEL});
+  PARTS("rotation_off", ROTATES("-9 3 to 99 3", "stage c\n@ friction 0.5\ncycles 1\n"), {"pair m f", NULL},
+        {"pair f m", NULL}, {"pair m m", OTHERS}, {"pair f f", OTHERS});
 #undef LEVEL
 #undef LONG
+#undef OTHERS
 }
 
 /* A disc of mass 5 and R = 2 in a right angle at (2, 1), with the unit normals n_1 = (0.6, 0.8) and n_2 = (-0.8, 0.6) and
@@ -535,6 +541,19 @@ static void rebound(void) {
          {"impact.restitution", hypot(along, away) / 0.3},
          {"energy.kinetic", (mass * (along * along + away * away) + inertia * spin * spin) / 2},
          {"energy.kinetic max", (mass * 0.09 + inertia * 0.0025) / 2});
+}
+
+/* With more damping than (5/6)^(1/2), or little less, an oblique impact does not end in a time of 1000 alpha_max/V_N. */
+static void rebound_of_a_damped_sphere(void) {
+#define DAMPED(ratio)                                                                                                  \
+  "material a density 3 young 7 poisson 0.25 friction 0.3\nnormal hertz\nshear mindlin_deresiewicz\ndamping "          \
+  "ratio " ratio                                                                                                       \
+  "\nsphere 0 2 radius 2 a\nwall w -9 0 to 9 0 a\nmonitor C sphere 1 with wall w\nimpact C speed 0.01 angle 0.3\n"     \
+  "step 100 per collision\nstage s\nuntil impact.time above 1.1 at most 999 cycles\n"
+  PARTS("rebound", DAMPED("@"), {"0.1", NULL},
+        {"0.9128", "an impact that ends, with dashpots well below critical damping"},
+        {"0.913", "an impact that ends, with dashpots well below critical damping"});
+#undef DAMPED
 }
 
 /* Three stages before the reversal, one of them at rest, and two after it. */
@@ -722,6 +741,7 @@ void suite_refs_motion(void) {
   CU_ADD_TEST(suite, wedge);
   CU_ADD_TEST(suite, rigid_impact);
   CU_ADD_TEST(suite, rebound);
+  CU_ADD_TEST(suite, rebound_of_a_damped_sphere);
   CU_ADD_TEST(suite, time_reversal);
   CU_ADD_TEST(suite, wall_end);
   CU_ADD_TEST(suite, other_numbers_than_one_particle_and_one_wall);

@@ -3,11 +3,14 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "refs_scenes.h"
 #include "refs_tables.h"
 #include "suites.h"
+#include "written.h"
 
 /* A contact of two spheres with R* = 1.2, mu = 0.8 and k_s = 15. */
 #define TOUCHES(law, path)                                                                                             \
@@ -59,6 +62,31 @@ static void path_no_slip(void) {
 /* Integral of 1 - (1 - x/L)^(3/2) from 0 to x. */
 static double mindlin_work(double x, double length) { return x - 0.4 * length * (1 - pow(1 - x / length, 2.5)); }
 static double mindlin_force(double x, double length) { return 1 - pow(1 - x / length, 1.5); }
+
+/* The rows of a file are the steps of a segment. */
+static void points_of_a_file(void) {
+  char path[] = "/tmp/nineball-points-XXXXXX", page[1024];
+  const int file = mkstemp(path);
+  CU_ASSERT_FATAL(file >= 0);
+  close(file);
+  written_text(path, "slip/-\toverlap/-\n0.0001\t0.05\n-0.0002\t0.04\n0.0003\t0.06\n");
+  snprintf(page, sizeof page, TOUCHES("linear", "segment f follow %s\n"), path);
+  const double work = 15 * 0.0003 * 0.0003 / 2;
+  VALUES("path_no_slip", page, 1, {"slip in p", 0}, {"shear in p", 0}, {"work.shear in p", 0}, {"slip in f", 0.0003},
+         {"shear in f", 0.0045}, {"work.shear in f", work}, {"slip", 0.0003}, {"shear", 0.0045}, {"work.shear", work},
+         {"slip", 0, "step", 2}, {"slip", 0.0001, "step", 3}, {"slip", -0.0002, "step", 4}, {"slip", 0.0003, "step", 5},
+         {"shear", 0.0015, "step", 3}, {"shear", -0.003, "step", 4}, {"work.shear", 15 * 1e-8 / 2, "step", 3});
+  snprintf(page, sizeof page, TOUCHES("mindlin_deresiewicz", "segment f follow %s\n"), path);
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(refs_solve(&solution, "path_springs", page, &error), NB_OK);
+  const double *overlap = solution_find(&solution, "overlap in f");
+  const struct nb_solution_curve *curve = solution_find_curve(&solution, "overlap", "step");
+  CU_ASSERT(overlap && *overlap == 0.06 && curve && curve->at(curve->data, 3) == 0.05 &&
+            curve->at(curve->data, 4) == 0.04);
+  solution_free(&solution);
+  remove(path);
+}
 
 /* Loading, unloading and reloading at constant N in Mindlin and Deresiewicz's closed form, and gross sliding. In loading
  * a part of the contact at the distance y from the middle slips against l = mu kappa (alpha - y^2/R*) and dissipates
@@ -114,6 +142,25 @@ static void path_springs(void) {
   NEAR(dissipated->at(dissipated->data, 22) - dissipated->at(dissipated->data, 21), slid, 1e-6);
   solution_free(&solution);
 #undef AT
+}
+
+/* The row of springs is as long as the largest contact: that of an overlap, or of a change of the normal force. */
+static void largest_contact_of_a_path(void) {
+  const double high = pow(1.1 / hertz(1), 2. / 3), large[] = {0.4, high};
+  static const char *const segments[] = {"segment q overlap to 0.4 in 1 step\n",
+                                         "segment q normal to 0.1 in 1 step\nsegment q2 normal by 1 in 1 step\n"};
+  for (int k = 0; k < 2; k++) {
+    const double n = 0.8 * hertz(large[k]), length = mindlin_limit() * large[k];
+    char page[1024];
+    snprintf(page, sizeof page, TOUCHES("mindlin_deresiewicz", "%ssegment r slip to %.17g in 1 step\n"), segments[k],
+             length / 2);
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    CU_ASSERT_EQUAL(refs_solve(&solution, "path_springs", page, &error), NB_OK);
+    const double *shear = solution_find(&solution, "shear in r");
+    CU_ASSERT(shear && fabs(*shear - n * mindlin_force(length / 2, length)) <= 2e-6 * n);
+    solution_free(&solution);
+  }
 }
 
 /* No slip leads to a shear force above mu N, so that segment has no values, and there is no curve. */
@@ -216,6 +263,52 @@ static double curve_work(const struct curve *at, double slip) {
   return sum * slip / 6000;
 }
 
+/* Where zeta = alpha, unloading becomes loading, and reloading becomes unloading: at the overlap alpha (2 u^(2/3) - 1). And
+ * re-unloading that has passed T** does not begin the next reloading in the wrong direction: its reversal leaves no deficit.
+ */
+static void path_randall_beyond_its_curves(void) {
+  const double n = 0.8 * hertz(0.04), length = mindlin_limit() * 0.04, u = length / 10;
+  const double tq = n * mindlin_force(5 * u, length), wq = n * mindlin_work(5 * u, length);
+  const double tr = tq - 2 * n * mindlin_force(u, 2 * length), wr = wq - tq * u + 2 * n * mindlin_work(u, 2 * length);
+  const double edge = 0.04 * (2 * (1 - 0.05) - 1), ne = 0.8 * hertz(edge), te = tq - (n - ne), m = 0.8 * hertz(0.034);
+  const double ts = m - 0.8 * hertz(edge * pow(1 - te / ne, 2. / 3) - (edge - 0.034));
+  char page[1024];
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 2 steps\n"
+                              "segment s overlap to 0.034 in 4 steps\n"),
+           5 * u, -u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", 4 * u, tr, wr),
+         AT("s", 4 * u, ts, wr), LAST(4 * u, ts, wr));
+  const double low = tq - 2 * n * mindlin_force(5 * u, 2 * length);
+  const double wlow = wq - tq * 5 * u + 2 * n * mindlin_work(5 * u, 2 * length);
+  const double tv = low + 2 * n * mindlin_force(u, 2 * length),
+               wv = wlow + low * u + 2 * n * mindlin_work(u, 2 * length);
+  const double lowest = low + (n - ne), star = tq - (n - ne); /* T** and T* at the edge */
+  const double zeta = edge * pow(1 - (star - lowest) / (2 * ne), 2. / 3) - (edge - 0.034) / 2;
+  const double tx = star - (ne - m) - 2 * (m - 0.8 * hertz(zeta));
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 5 steps\nsegment r slip by %.17g in 1 step\n"
+                              "segment v slip by %.17g in 1 step\nsegment x overlap to 0.034 in 4 steps\n"),
+           5 * u, -5 * u, u);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", 0, low, wlow), AT("v", u, tv, wv),
+         AT("x", u, tx, wv), LAST(u, tx, wv));
+  const double tz = tq - 2 * n * mindlin_force(7 * u, 2 * length); /* beyond the end of re-unloading, at T** = low */
+  const double wz = wq - tq * 7 * u + 2 * n * mindlin_work(7 * u, 2 * length);
+  const double ty = tz + 2 * n * mindlin_force(2 * u, 2 * length);
+  const double wy = wz + tz * 2 * u + 2 * n * mindlin_work(2 * u, 2 * length);
+  const double nv = 0.8 * hertz(0.05), from = tz - (nv - n), back = mindlin_limit() * 0.005;
+  const struct curve returns = {from, 1, 2 * nv, 2 * mindlin_limit() * 0.05, pow(1 - (ty - from) / (2 * nv), 2. / 3)};
+  const double tb = on_curve(&returns, -back), wb = wy + curve_work(&returns, -back);
+  snprintf(page, sizeof page,
+           TOUCHES("randall", "segment q slip to %.17g in 3 steps\nsegment r slip by %.17g in 1 step\n"
+                              "segment v slip by %.17g in 1 step\nsegment z slip by %.17g in 2 steps\n"
+                              "segment y slip by %.17g in 1 step\nsegment n overlap to 0.05 in 2 steps\n"
+                              "segment b slip by %.17g in 1 step\n"),
+           5 * u, -5 * u, u, -3 * u, 2 * u, -back);
+  VALUES("path_randall", page, 1, AT("p", 0, 0, 0), AT("q", 5 * u, tq, wq), AT("r", 0, low, wlow), AT("v", u, tv, wv),
+         AT("z", -2 * u, tz, wz), AT("y", 0, ty, wy), AT("n", 0, ty, wy), AT("b", -back, tb, wb), LAST(-back, tb, wb));
+}
+
 /* `randall_literal`: a decrease of N leaves T unchanged, while T* decreases and T** increases by mu |dN|. If T is then
  * above T*, the next displacement loads the contact; if T is below T** in reloading, it unloads the contact. */
 static void path_randall_literal(void) {
@@ -295,9 +388,12 @@ static void paths_that_randall_does_not_cover(void) {
 void suite_refs_paths(void) {
   CU_pSuite suite = CU_add_suite("refs_paths", NULL, refs_released);
   CU_ADD_TEST(suite, path_no_slip);
+  CU_ADD_TEST(suite, points_of_a_file);
   CU_ADD_TEST(suite, path_springs);
+  CU_ADD_TEST(suite, largest_contact_of_a_path);
   CU_ADD_TEST(suite, forces_above_the_limit);
   CU_ADD_TEST(suite, path_randall);
+  CU_ADD_TEST(suite, path_randall_beyond_its_curves);
   CU_ADD_TEST(suite, path_randall_literal);
   CU_ADD_TEST(suite, paths_that_randall_does_not_cover);
 }

@@ -33,6 +33,16 @@ static void release(void) {
   written_free(&solved.it);
 }
 
+/* The monitor of which a copy is added: the last one, or the first. */
+static bool last_monitor;
+
+/* A reference that forgets to set a variable does not find zeros on the stack. */
+static void fill_stack(void) {
+  volatile unsigned char bytes[1 << 16];
+  for (size_t k = 0; k < sizeof bytes; k++)
+    bytes[k] = 0xff;
+}
+
 /* An element is added behind the ends of the arrays of the scene, which a loop over one element too many would read. */
 enum nb_status refs_solve(struct nb_solution *solution, const char *reference, const char *text,
                           struct nb_error *error) {
@@ -48,17 +58,19 @@ enum nb_status refs_solve(struct nb_solution *solution, const char *reference, c
   struct nb_stage stage = scene->stages[scene->stage_count - 1];
   struct nb_monitor monitor = {0};
   if (scene->monitor_count)
-    monitor = scene->monitors[0];
+    monitor = scene->monitors[last_monitor ? scene->monitor_count - 1 : 0];
   strcpy(stage.name, "beyond"), strcpy(monitor.name, "beyond");
   scene->particles = one_more(scene->particles, scene->particle_count, sizeof particle, &particle);
   scene->walls = one_more(scene->walls, scene->wall_count, sizeof wall, &wall);
   scene->stages = one_more(scene->stages, scene->stage_count, sizeof stage, &stage);
   scene->monitors = one_more(scene->monitors, scene->monitor_count, sizeof monitor, &monitor);
   *solution = (struct nb_solution){0};
+  fill_stack();
   return nb_reference_solve(nb_reference_find(reference), solution, scene, error);
 }
 
-void refs_check(const char *reference, const char *page, double scale, const struct expected *expected, size_t count) {
+static void check_once(const char *reference, const char *page, double scale, const struct expected *expected,
+                       size_t count) {
   struct nb_solution solution;
   struct nb_error error = {0};
   size_t named = 0;
@@ -83,6 +95,13 @@ void refs_check(const char *reference, const char *page, double scale, const str
     printf("# %s: %zu values and %zu curves\n", reference, solution.value_count, solution.curve_count);
   CU_ASSERT_EQUAL(named, solution.value_count + solution.curve_count);
   solution_free(&solution);
+}
+
+void refs_check(const char *reference, const char *page, double scale, const struct expected *expected, size_t count) {
+  for (int last = 0; last < 2; last++) {
+    last_monitor = last;
+    check_once(reference, page, scale, expected, count);
+  }
 }
 
 void refs_check_error(const char *reference, const char *page, const char *text) {

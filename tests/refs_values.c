@@ -501,6 +501,13 @@ static void zigzag(void) {
   snprintf(without, sizeof without, "%.*s%s", (int)(region - page), page, after);
   refs_check_message("zigzag", without,
                      "a region and three or more free discs whose contacts all make the same angle with y");
+  char steep[2048];
+  strcpy(steep, "material m density 1 kn 10\nnormal linear\nstep 0.001\nregion A all\nwall w -1 -9 to -1 9 m\n");
+  for (int k = 0; k < 5; k++)
+    snprintf(steep + strlen(steep), sizeof steep - strlen(steep), "disc %.17g %.17g radius 1 m%s\n",
+             k % 2 ? 1.99 * sin(pi / 3.6) : 0, 1.99 * k * cos(pi / 3.6), k % 4 ? "" : " fixed");
+  strcat(steep, "stage s\ncycles 1\n");
+  refs_check_message("zigzag", steep, "contacts at less than 45 degrees to y; here they are at 50");
   VALUES("zigzag", page, 1, {"A.chains", 1}, {"A.chains.length", 3}, {"A.chains.fraction", 0.75},
          {"A.chains.bend", 2 * phi});
 }
@@ -632,6 +639,15 @@ static void limits(const char *page, double single, double stable, double longes
 #define CORNER "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b -9 0 to 9 0 b\n"
 #define GRIPPED "disc 1 2 radius 2 m\nwall a -1 -9 to -1 9 a\nwall b 3 -9 to 3 9 b\n"
 #define PAIRED "disc 1 2 radius 2 m\ndisc 1 5 radius 1 m\ndisc 90 0 radius 9 m fixed\n"
+/* A dashpot of k_n times 1e308 is infinite: no step is stable. */
+static void no_stable_step(void) {
+  nb_references_prepare();
+  refs_check_error("step_limit",
+                   "material m density 1 kn 9\nnormal linear\ndamping stiffness 1e308\ndisc 0 0 radius 1 m\n"
+                   "disc 1.9 0 radius 1 m\nstep 0.1\nallow unstable\nstage s\ncycles 1\n",
+                   "the reference `step_limit` finds no step at which these springs and dashpots are stable");
+}
+
 static void step_limit(void) {
   const double m = 5, ka = 30, kb = 120. / 13, single = 2 * sqrt(m / ka), both = 2 * sqrt(m / (ka + kb));
   limits(HELD("none", "", CORNER), single, both, single);
@@ -699,7 +715,7 @@ static void speed_of_loading(void) {
 
 /* Removed: disc 2 of a row along (0.6, 0.8), a sphere in flight, and the wall `gate`. Discs of radius 2 have the mass 5;
  * k_n is 20 between them, and 30 with walls, except 120/13 with the gate. Discs 1, 3 and 4 are pushed off by the springs of
- * the walls that stay. Discs 5 and 6, one beyond each end of the gate, and 8, which moves, are no such neighbours; nor are
+ * the walls that stay. Discs 5 and 6, one beyond each end of the gate, and 8 and 14, which move, are no such neighbours; nor are
  * discs 9 and 10, of which one touches only the gate and one only a wall that stays, nor 11 and 12, which touch each other,
  * nor 13, which touches two walls that stay. */
 #define REMOVES(first, second)                                                                                         \
@@ -712,15 +728,17 @@ static void speed_of_loading(void) {
   "disc 60.3 1.3 radius 1 m\nsphere -70 7 radius 2 m velocity 3 -4 spin -6\ndisc 44 0 radius 1 m velocity 0 1e-9\n"    \
   "disc 54 1.8 radius 1 m\ndisc 72 0 radius 1 m\ndisc 46.03 0 radius 1 m\ndisc 47.98 0 radius 1 m\ndisc 57.95 0 "      \
   "radius "                                                                                                            \
-  "1 m\nwall post 57 -0.1 to 57 0.1 a\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nmonitor D "               \
+  "1 m\ndisc 41.5 0 radius 1 m velocity 1e-9 0\nwall post 57 -0.1 to 57 0.1 a\nmonitor A disc 1\nmonitor B disc "      \
+  "2\nmonitor C disc 3\nmonitor D "                                                                                    \
   "disc 4\n"                                                                                                           \
-  "monitor E disc 8\nmonitor F disc 9\nmonitor G disc 10\nmonitor H disc 11\nmonitor I disc 13\nmonitor W wall "       \
+  "monitor E disc 8\nmonitor J disc 14\nmonitor F disc 9\nmonitor G disc 10\nmonitor H disc 11\nmonitor I disc "       \
+  "13\nmonitor W wall "                                                                                                \
   "low\nstep 0.01\nstage s\n" first "cycles 7\nstage t\n" second
 #define GONE "remove disc 2\nremove sphere 7\nremove wall gate\n"
 static void taken_out(void) {
   const double q = sqrt(6), q4 = sqrt(24), kb = 120. / 13, mass = 5. / (4 * pi) * 4 / 3 * pi * 8;
-  /* the springs: two of disc 2, and those of the gate at its ends and with six discs of radius 1 */
-  const double springs = 2 * 20 * 0.15 * 0.15 / 2 + kb * (0.5 * 0.5 + 0.5 * 0.5 + 6 * 0.1 * 0.1) / 2;
+  /* the springs: two of disc 2, and those of the gate at its ends and with seven discs of radius 1 */
+  const double springs = 2 * 20 * 0.15 * 0.15 / 2 + kb * (0.5 * 0.5 + 0.5 * 0.5 + 7 * 0.1 * 0.1) / 2;
   const double removed = springs + mass * 25 / 2 + 0.4 * mass * 4 * 36 / 2;
   const double begin = 0.07, early = 0.1 * (1 - cos(0.3 * q)), late = 0.1 * (1 + q * 0.65 - pi / 2);
 #define ALONG(name, x0, y0, dx, dy, early, late, v)                                                                    \
@@ -746,18 +764,19 @@ static void taken_out(void) {
 
 /* Two discs in a row along (0.6, 0.8) between walls that move inward at 0.01. Displacements along the row, from disc 1 to
  * disc 2; the springs are 30, 20 and 120/13, and the masses 5 and 1.25. */
-#define INCLINED_ROW(more)                                                                                             \
+#define INCLINED_ROW(step)                                                                                             \
   "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\ndisc 3 4 radius 2 m\n"       \
   "disc (3 + 1.8) (4 + 2.4) radius 1 m\nwall p (3 - 1.2 - 8) (4 - 1.6 + 6) to (3 - 1.2 + 8) (4 - 1.6 - 6) a\n"         \
   "wall q (3 + 2.4 + 8) (4 + 3.2 - 6) to (3 + 2.4 - 8) (4 + 3.2 + 6) b\nmonitor D disc 1\nmonitor E disc 2\n"          \
   "monitor A disc 1 with wall p\nmonitor B disc 2 with disc 1\nmonitor C disc 2 with wall q\nmonitor W wall p\n"       \
-  "step 0.1\nstage s\nwall p velocity 0.006 0.008\nwall q velocity -0.006 -0.008\ncycles 4\nstage t\nwalls stop\n"     \
-  "cycles 9\n" more
+  "step " step                                                                                                         \
+  "\nstage s\nwall p velocity 0.006 0.008\nwall q velocity -0.006 -0.008\ncycles 4\nstage t\nwalls stop\n"             \
+  "cycles 9\n"
 static void two_walls(void) {
   const double k[3] = {30, 20, 120. / 13}, force = 2 * 0.04 * 0.1 / (1 / k[0] + 1 / k[1] + 1 / k[2]);
   struct nb_solution solution;
   struct nb_error error = {0};
-  CU_ASSERT_EQUAL(refs_solve(&solution, "two_wall_compression", INCLINED_ROW(""), &error), NB_OK);
+  CU_ASSERT_EQUAL(refs_solve(&solution, "two_wall_compression", INCLINED_ROW("0.1"), &error), NB_OK);
   double x = 0, y = 0, vx = 0, vy = 0;
   for (int n = 1; n <= 4; n++) {
     x += 0.1 * vx, y += 0.1 * vy;
@@ -787,10 +806,15 @@ static void two_walls(void) {
     vx += 0.1 * fx / 5, vy += 0.1 * fy / 1.25;
   }
   solution_free(&solution);
-  VALUES("two_wall_statics", INCLINED_ROW(""), 0, {"A.normal", force}, {"A.normal mean", force},
+  VALUES("two_wall_statics", INCLINED_ROW("0.1"), 0, {"A.normal", force}, {"A.normal mean", force},
          {"A.overlap", force / k[0]}, {"A.shear", 0}, {"B.normal", force}, {"B.normal mean", force},
          {"B.overlap", force / k[1]}, {"B.shear", 0}, {"C.normal", force}, {"C.normal mean", force},
          {"C.overlap", force / k[2]}, {"C.shear", 0});
+  /* With dt^2 = 0.16, p = 0.96, q + r = 3.2 and s = 1.18 give b_3 = (2 - q - r) (p + s) + p (2 - p) + s (2 - s) = -0.6. All
+   * overlaps are positive again at t_4. */
+  refs_check_error("two_wall_compression", INCLINED_ROW("0.4"),
+                   "the contact of monitor B opens at cycle 3: use a shorter step, with which no contact opens in 6 "
+                   "cycles");
 }
 
 /* Two equal spheres that collide head-on have velocities after the impact; spheres of two materials or radii have none. */
@@ -906,6 +930,7 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, packing);
   CU_ADD_TEST(suite, rayleigh_cycle);
   CU_ADD_TEST(suite, pinched);
+  CU_ADD_TEST(suite, no_stable_step);
   CU_ADD_TEST(suite, step_limit);
   CU_ADD_TEST(suite, speed_of_loading);
   CU_ADD_TEST(suite, taken_out);

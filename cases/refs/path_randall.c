@@ -40,7 +40,7 @@ struct contact {
   struct path_contact elastic;
   bool literal;
   enum sense sense;
-  bool back;           /* re-unloading */
+  bool back;           /* re-unloading; only in RELOADING */
   bool sheared;        /* there was a tangential displacement; before it there is no deficit */
   double alpha, force; /* in m; T, in N */
   double star, star2;  /* T* and T**, in N */
@@ -109,7 +109,7 @@ static bool apply_slip(struct contact *it, double slip) {
     const double part = fabs(end) < fabs(rest) ? end : rest;
     move_along(it, part), rest -= part;
     if (part == end)
-      it->sense = slip > 0 ? LOADING : UNLOADING, it->back = false;
+      it->sense = slip > 0 ? LOADING : UNLOADING;
   }
   if (rest != 0)
     move_along(it, rest);

@@ -29,6 +29,7 @@ struct motion {
   double x, v, w, slip;        /* m, m/s, rad/s; s', m/s */
   double q, r, g, mu, inertia; /* 1, m, m/s2, 1, kg m2 */
   double time, removed;        /* s; rotational energy, J */
+  int particle, wall;          /* materials */
   bool rotates;
 };
 
@@ -58,11 +59,13 @@ static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   m->slip = fabs(slip) > 1e-12 * fmax(m->v, fabs(m->r * m->w)) ? slip : 0; /* rolling: only rounding is left */
   for (size_t k = 0; k < stage->change_count; k++) {
     const struct nb_change *change = &stage->changes[k];
-    if (change->b < 0 || change->ramp || !isnan(change->kn) || !isnan(change->ks))
+    const bool of_contact =
+        (change->a == m->particle && change->b == m->wall) || (change->a == m->wall && change->b == m->particle);
+    if (!of_contact || !isnan(change->kn) || !isnan(change->ks))
       return false;
     m->mu = change->friction;
   }
-  return stage->step.kind == NB_STEP_TIME && !stage->motion_count && !stage->gravity.line;
+  return stage->step.kind == NB_STEP_TIME && !stage->motion_count;
 }
 
 static bool ends_with_sliding(const struct nb_stage *stage) {
@@ -95,6 +98,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                      .w = particle->spin,
                      .r = particle->radius,
                      .mu = pair.friction,
+                     .particle = particle->material,
+                     .wall = scene->walls[0].material,
                      .rotates = true};
   m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, particle);
   m.q = matter_mass(scene, particle) * m.r * m.r / m.inertia;

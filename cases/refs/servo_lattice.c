@@ -38,10 +38,9 @@ struct lattice {
 
 /* One stress component during one stage. */
 struct piece {
-  double begin;      /* s */
-  double from, rate; /* controlled: s0 at the beginning, Pa, and q, Pa/s; not controlled: s and s' */
-  bool controlled;
-  double initial;            /* e at the beginning, Pa */
+  double begin;              /* s */
+  double from, rate;         /* controlled: s0 at the beginning, Pa, and q, Pa/s; not controlled: s and s' */
+  double initial;            /* e at the beginning, Pa; 0 if not controlled, as the values below */
   double slope, limited;     /* e' while the rate is limited, Pa/s; the time for which it is limited, s */
   double complex a, b, u, v; /* Pa, 1/s */
 };
@@ -54,8 +53,6 @@ struct course {
 
 static double value(const struct piece *it, double time) {
   const double t = time - it->begin, unlimited = t - it->limited;
-  if (!it->controlled)
-    return it->from + it->rate * t;
   const double e = unlimited < 0 ? it->initial + it->slope * t
                                  : creal(it->a * cexp(-it->u * unlimited) + it->b * cexp(-it->v * unlimited));
   return it->from + it->rate * t + e;
@@ -74,7 +71,7 @@ static void solve_equations(struct piece *it, const struct lattice *lattice, dou
                             double max_rate) {
   const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, largest = copysign(lattice->kn * t * max_rate, initial);
   const double complex root = csqrt(1 - 1 / (4 * f));
-  it->controlled = true, it->initial = initial;
+  it->initial = initial;
   it->u = f * (1 - root) / (2 * t), it->v = f * (1 + root) / (2 * t);
   it->slope = -copysign(f * lattice->kn * max_rate * (1 - g), initial) - c;
   it->limited = fabs(initial) > fabs(largest) ? (largest - initial) / it->slope : 0;
@@ -115,8 +112,7 @@ static bool fits(const struct nb_scene *scene) {
   }
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    right = !stage->cell.per_cycle && !stage->servo.per_cycle && stage->cell.xy == stage->cell.yx &&
-            (!stage->servo.line || stage->servo.cell);
+    right = !stage->cell.per_cycle && !stage->servo.per_cycle && stage->cell.xy == stage->cell.yx;
   }
   return right;
 }
