@@ -15,7 +15,7 @@
 #include "hertz.h"
 #include "hertz_motion.h"
 
-/* Integrates y until s returns to `end` (hertz_rebound). False: GSL failed, or s does not return. */
+/* Integrates y until s returns to `end` (hertz_rebound). False: GSL failed, or s does not return up to t = 50. */
 static bool integrate_to_rebound(double y[], double beta, double end, double deepest[]) {
   return hertz_rebound(y, beta, end, 50, deepest) && !(y[HERTZ_OVERLAP] > end);
 }
@@ -24,10 +24,6 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct hertz hertz;
   if (hertz_read(&hertz, scene, "hertz_deep", error))
     return error->status;
-  if (!(hertz_restitution(hertz.damping) > 0))
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `hertz_deep` is for an impact that ends, with dashpots well below critical "
-                        "damping");
   const struct nb_particle *a = hertz.particles[0], *b = hertz.particles[1];
   const double smaller = b && b->radius < a->radius ? b->radius : a->radius;
   const double limit = scene->damping.deep * 2 * smaller / hertz.depth, beta = hertz.damping;
@@ -40,7 +36,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   else
     memcpy(y, trial, sizeof y);
   if (!solved)
-    return nb_error_set(error, NB_BROKEN, "hertz_deep: the equation of motion could not be solved");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `hertz_deep` is for an impact that ends, with dashpots well below critical "
+                        "damping");
   hertz_add(solution, &hertz, "overlap max", deepest[HERTZ_OVERLAP] * hertz.depth);
   solution_value(solution, y[HERTZ_TIME] * hertz.unit, "impact.duration");
   solution_value(solution, -y[HERTZ_SPEED], "impact.restitution");
