@@ -92,14 +92,16 @@ static void hertz_curve(void) {
   {name ".overlap", alpha[c], "H.y", y}, {name ".normal", f, "H.y", y}, {name ".normal", f, name ".overlap", alpha[c]}
 #define BEFORE(name)                                                                                                   \
   {name ".overlap", 0, "H.y", -13.9}, {name ".normal", 0, "H.y", -13.9}, { name ".normal", 0, name ".overlap", 0 }
+#define ONCE "stage s\ncycles 1\n"
 #define SQUEEZE "stage s\ncycles 3\nstage t\nwall low velocity 0 0.1\nwall high velocity 0 -0.1\ncycles 1\n"
   VALUES("hertz_curve",
          COLUMN(BALLS, "0.2", "-0.2") "monitor B wall low\nmonitor H wall high\nmonitor C sphere 2 with sphere 1\n"
                                       "monitor U sphere 2 with wall high\nmonitor X sphere 2 with wall low\n"
-                                      "monitor Y sphere 1 with wall high\nmonitor D sphere 1\n" SQUEEZE,
-         1e-3, AT("L", 0), AT("C", 1), AT("U", 2), BEFORE("L"), BEFORE("C"), BEFORE("U"));
-  VALUES("hertz_curve", COLUMN(BALLS, "0.2", "-0.2") "monitor B wall low\nstage s\ncycles 1\n", 1e-3,
-         {"L.normal", f, "L.overlap", alpha[0]});
+                                      "monitor Y sphere 1 with wall high\nmonitor D sphere 1\n"
+                                      "monitor V sphere 1 with sphere 2\n" SQUEEZE,
+         1e-3, AT("L", 0), AT("C", 1), AT("U", 2), AT("V", 1), BEFORE("L"), BEFORE("C"), BEFORE("U"), BEFORE("V"));
+  VALUES("hertz_curve", COLUMN(BALLS, "0.2", "-0.2") "monitor B wall low\nmonitor U sphere 2 with wall high\n" ONCE,
+         1e-3, {"L.normal", f, "L.overlap", alpha[0]}, {"U.normal", f, "U.overlap", alpha[2]});
   VALUES("hertz_curve",
          "path\nmaterial a young 2 poisson 0.3\nmaterial b young 7 poisson 0.1\ncontact sphere 2 a with sphere "
          "1 b\n"
@@ -114,7 +116,6 @@ static void hertz_curve(void) {
 #define EQUAL "up to seven spheres between level walls, a lower and an upper one, that approach with equal speeds"
 #define ORDER "spheres one above the other, in the order of the page"
 #define TOUCH "walls and spheres that just touch at first"
-#define ONCE "stage s\ncycles 1\n"
 #define SMALL(n) "sphere 3 " n " radius 0.5 a\n"
 #define FIVE SMALL("-19.5") SMALL("-18.5") SMALL("-17.5") SMALL("-16.5") SMALL("-15.5")
   PARTS(

@@ -320,6 +320,7 @@ static void free_fall(void) {
   CU_ASSERT(isnan(fall("0.5", "0", "6", "C.overlap max", 0)));
   NEAR(fall("-0.5", "0", "5", "D.y", pi / w), 5 - 2 * sag, 1e-12); /* it just touches, and does not separate */
   NEAR(fall("-0.5", "0", "5", "D.y", 2.5 * pi / w), 5 - sag, 1e-12);
+  NEAR(fall("-0.5", "0", "5", "C.overlap max", 0), 2 * sag, 1e-12);
   NEAR(fall("-0.5", "0.9", "5.001", "D.y", 99), 5 - sag, 1e-12);
   /* With a dashpot of a fifth of the critical damping: the contact by the midpoint rule, from u = 0 with the speed -1. */
   double u = 0, s = -v, low = 0, t = 0;

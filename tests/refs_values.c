@@ -176,12 +176,20 @@ static void fracc(void) {
       {"\n" FOUR("1", "1.8", "-1.81", "-1"), REACH}, {"\n" FOUR("1", "1.8", "-1.8", "-1.1"), REACH},
       {"\n" FOUR("1", "1.8", "1.8", "-1"), REACH}, {"\n" FOUR("1", "-1.8", "-1.8", "-1"), REACH},
       {"\n" FOUR("1", "1.8", "-1.8", "1"), REACH}, {"\n" FOUR("-1", "1.8", "-1.8", "-1"), REACH},
-      {"\nwall n -9 1 to 9 1.1 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m", REACH},
+      {"\nwall n -9 0.95 to 9 1.05 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m",
+       REACH},
+      {"\nwall n -9 1 to 9 1 m\nwall e 1.75 -9 to 1.85 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1 to 9 -1 m", REACH},
+      {"\nwall n 1.8 -9 to 1.8 9 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -1.8 -9 to -1.8 9 m",
+       REACH},
       {" velocity 0 0.4\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), REACH},
       {" velocity 0 -0.4\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), REACH},
       {" velocity 0 0.2\n" FOUR("1.8", "1.8", "-1.8", "-1.8"), NULL},
       {" velocity 0 0.4\n" FOUR("3", "1.8", "-1.8", "-3"), REACH},
       {" velocity 0 0.05\n" FOUR("3", "1.8", "-1.8", "-3"), NULL},
+      {" velocity 0 -0.4\n" FOUR("3", "1.8", "-1.8", "-3"), REACH},
+      {"\nwall n -0.09999 1.8 to 9 1.8 m\nwall e 1.8 -9 to 1.8 9 m\nwall w -1.8 -9 to -1.8 9 m\nwall s -9 -1.8 to 9 "
+       "-1.8 m",
+       REACH},
       /* x remains within 0.1, and y within 0.3 to 0.4: walls may end beyond that */
       {" velocity 0 0.2\nwall n -0.11 1.8 to 9 1.8 m\nwall e 1.8 -0.8 to 1.8 0.8 m\nwall w -1.8 9 to -1.8 -9 m\n"
        "wall s 0.11 -1.8 to -9 -1.8 m",
@@ -204,6 +212,11 @@ static void fracc(void) {
        "one disc between four walls, with `step F of single-contact`"},
       {"\ndisc 9 9 radius 1 m\n" FOUR("1", "1.8", "-1.8", "-1"),
        "one disc between four walls, with `step F of single-contact`"});
+  /* For h = 1.1 x_n is 0.01 times 1, -1.42, 3.03, -7.19 and 17.4, since x_(n+1) = 2 x_n - x_(n-1) - 4 h^2 x_n. */
+  PARTS("fracc",
+        "material m density 1 kn 20\nstep (1.1/sqrt(2)) of single-contact\nallow unstable\n"
+        "disc 0.01 0 radius 2 m\n@\nstage s\ncycles 3\n",
+        {FOUR("1", "1.927", "-1.927", "-1"), NULL}, {FOUR("1", "1.929", "-1.929", "-1"), REACH});
 #undef REACH
 }
 
@@ -325,8 +338,9 @@ static void carried(void) {
 #define ROW_OF(disc4, walls)                                                                                           \
   "material m density 1 kn 200\nmaterial o density 1 kn 201\nnormal linear\n"                                          \
   "disc 1 2 radius 2 m\ndisc (1 + 2.34) (2 + 3.12) radius 2 m\ndisc (1 + 4.68) (2 + 6.24) radius 2 m\n" disc4          \
-  "\n" walls "region R box -3 -2 to 12 16\nregion Q box -3 -2 to 9 16\nregion P box 0.5 -2 to 12 16\nregion C circle " \
-  "1 2 radius 40\nregion L box 0 -2 to 12 16\nregion B box -3 0.6 to 12 16\nregion T box -3 -2 to 12 12\n"             \
+  "\n" walls "region C circle 1 2 radius 40\nregion L box 0 -2 to 12 16\nregion R box -3 -2 to 12 16\n"                \
+  "region Q box -3 -2 to 9 16\nregion P box 0.5 -2 to 12 16\nregion B box -3 0.6 to 12 16\nregion T box -3 -2 to 12 "  \
+  "12\n"                                                                                                               \
   "monitor D disc 1\nstep 0.01\nrecord R.stress.xx\nstage s\ncycles 1\n"
 #define DISC4 "disc (1 + 7.02) (2 + 9.36) radius 2 m"
 /* A wall at the distance d from the first disc along the row, and its direction. */
@@ -375,6 +389,19 @@ static void force_chain(void) {
         "material m density 1 kn 200\nnormal linear\ndisc 1 2 radius 2 m\ndisc @ 2 radius 2 m\nwall a -1 -9 to -1 9 m\n"
         "wall b 7 -9 to 7 9 m\nstep 0.01\nstage s\ncycles 1\n",
         {"5", ENDS});
+  /* The direction of the row, from the first disc of the page to the last, has no effect on the angle. */
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL(refs_solve(&solution, "force_chain",
+                             "material m density 1 kn 200\nnormal linear\ndisc (1 + 2.34) (2 + 3.12) radius 2 m\n"
+                             "disc 1 2 radius 2 m\n" LOW("-1.9") TOP("5.8") "region R box -9 -9 to 16 16\nstep 0.01\n"
+                                                                            "record R.stress.xx\nstage s\ncycles 1\n",
+                             &error),
+                  NB_OK);
+  REFS_NEAR(refs_value(&solution, "R.stress.angle at 0 cycles"), angle, 1e-12, angle);
+  solution_free(&solution);
+#undef LOW
+#undef TOP
 #undef ENDS
 #undef EQUAL
 }
@@ -867,11 +894,12 @@ static void momentum(void) {
 
 /* Two discs of radius 1 and three of radius 0.5 in a box. */
 #define FILLED(more)                                                                                                   \
-  "material m density 1 kn 9\nnormal linear\ngrading g 1 2 0.5 3\n" more                                               \
+  "material m density 1 kn 9\nnormal linear\ngrading h 3 7\ngrading g 1 2 0.5 3\n" more                                \
   "fill discs box 1 2 to 11 8 g m seed 3 attempts 999 else stop\nmonitor S grading g radius 0.5\nmonitor G grading "   \
   "g\n"                                                                                                                \
-  "monitor D disc 1\nregion R box 1 2 to 11 8\nregion X box 1.1 2 to 11 8\nregion Y box 1 2.1 to 11 8\n"               \
-  "region XX box 0 2 to 12 8\nregion YY box 1 1 to 11 9\nregion C circle 6 5 radius 5\n"                               \
+  "monitor D disc 1\nregion R box 1 2 to 11 8\nregion X box 1.1 2 to 11.1 8\nregion Y box 1 2.1 to 11 8.1\n"           \
+  "region XX box 0 2 to 12 8\nregion YY box 1 1 to 11 9\nregion XN box 2 2 to 10 8\nregion YN box 1 3 to 11 "          \
+  "7\nregion C circle 6 5 radius 5\n"                                                                                  \
   "step 1\nrecord R.porosity\nstage s\ncycles 1\n"
 static void filling(void) {
   VALUES(
@@ -906,6 +934,7 @@ static void filling(void) {
          {"G.dropped", 0}, {"R.porosity", 1 - 2.75 * pi / 60}, {"gap", gap});
   it.scene.particle_count = 2;
   it.scene.fills[0].count = 2;
+  it.scene.particles[1].radius = 0.75;
   scene.scene = it.scene;
   struct nb_solution solution = refs_solution("filling", &scene);
   const struct nb_particle *a = &it.scene.particles[0], *b = &it.scene.particles[1];

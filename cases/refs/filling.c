@@ -55,7 +55,7 @@ static bool is_filled_region(const struct nb_region *region, const struct nb_fil
   if (fill->circle)
     return region->kind == NB_REGION_CIRCLE && region->x == fill->x && region->y == fill->y &&
            region->radius == fill->radius;
-  return region->kind == NB_REGION_BOX && region->ex == 1 && region->x == (fill->x + fill->x1) / 2 &&
+  return region->kind == NB_REGION_BOX && region->x == (fill->x + fill->x1) / 2 &&
          region->y == (fill->y + fill->y1) / 2 && fabs(2 * region->half_x / (fill->x1 - fill->x) - 1) < 1e-12 &&
          fabs(2 * region->half_y / (fill->y1 - fill->y) - 1) < 1e-12;
 }
