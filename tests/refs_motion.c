@@ -210,6 +210,10 @@ static void incline(void) {
   VALUES("incline", PLANE("3 -4", "stage a\nramp gravity 6.6 -4\ncycles 100\n"), 1,
          {"D.vx in a", 2.5 + 2.8 - 5 / 6. - 1.25}, {"D.spin in a", -(2.5 + 4 / 6.) / 0.8}, {"D.vx", 0, "time", 0},
          {"D.spin", 0, "time", 0});
+  /* Both components change at once at 0.5: it slides with p = 9 and n = 2. */
+  VALUES("incline", PLANE("3 -4", "stage a\ncycles 50\nstage b\ngravity 9 -2\ncycles 100\n"), 1, {"D.vx in a", rolls},
+         {"D.spin in a", -rolls / 0.8}, {"D.vx in b", rolls + 8}, {"D.spin in b", -(rolls + 2) / 0.8},
+         {"D.vx", rolls + 4, "time", 1}, {"D.spin", -(rolls + 1) / 0.8, "time", 1});
 }
 #undef PLANE
 
