@@ -617,6 +617,93 @@ static void an_ended_boundary_is_free(void) {
   }
 }
 
+/* A stress s on the boundary causes forces F with sum F_i x_j = -s_ij A h (boundary.c), here h = 1 and s is symmetric. */
+static void forces_of_a_boundary_stress(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 1e-3\ndisc 5 1 radius 1 m\ndisc -3 4 radius 1 m\n"
+                   "disc -4 -3 radius 1 m\ndisc 1 -6 radius 1 m\nboundary circle 0 0 radius 4\nrecord boundary.area\n"
+                   "stage s\nboundary stress 7 3 shear 2\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const double area = written_now(model, "boundary.area");
+  struct nb_tensor sum = {0, 0, 0, 0};
+  for (size_t i = 0; i < 4; i++)
+    sum = tensor_add(sum, tensor_outer(model->particles.boundary_force[i], model->particles.position[i]));
+  CU_ASSERT_DOUBLE_EQUAL(sum.xx, -7 * area, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(sum.xy, -2 * area, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(sum.yx, -2 * area, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(sum.yy, -3 * area, 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* The stress from all contacts is that of contacts between particles: a free particle on a wall does not change
+ * boundary.stress.residual. Each force calculation counts the listed contacts, also those with walls. */
+static void contacts_with_walls_are_no_stress(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1e9 kn 100\nstep 1e-3\ndisc 5 1 radius 1 m\ndisc -3 4 radius 1 m\n"
+            "disc -4 -3 radius 1 m\ndisc 0 0 radius 1 m\nwall v -1 -0.9 to 1 -0.9 m\nboundary circle 0 0 radius 4\n"
+            "record boundary.stress.residual contacts\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "contacts"), 1);
+  CU_ASSERT_EQUAL(written_now(model, "boundary.stress.residual"), 0);
+  const unsigned long long before = model->updates;
+  written_cycles(model, 3);
+  CU_ASSERT_EQUAL(model->updates - before, 3);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A new circle frees the only particle, which is then inside. It falls in x and joins the boundary again when it reaches
+ * the new circle. */
+static void the_only_particle_joins_again(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\nstep 0.01\ndisc 5 0 radius 1 m\nboundary circle 0 0 radius 4\n"
+            "monitor D disc 1\nrecord boundary.particles D.x\nstage a\ncycles 9\nstage b\n"
+            "boundary circle 0 0 radius 6\ngravity 1 0\ncycles 400\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.x"), 6, 0.03); /* it moves by up to 0.015 in a cycle */
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* A servo of xx and yy in a cell adds no shear rate, although there is a shear stress. */
+static void components_without_a_servo(void) {
+  static const char *const servos[] = {"xx 1 yy 2", "xy 1"};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 100\nstep 1e-3\ndisc 3 3 radius 1 m\ndisc 4.5 4 radius 1 m\n"
+        "periodic cell 0 0 to 9 9\nrecord cell.stress.xy\nstage s\nservo %s on cell through cell at most 1e-4 per "
+        "cycle\ncycles 1\n",
+        servos[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL];
+    CU_ASSERT(fabs(written_now(model, "cell.stress.xy")) > 0.01);
+    CU_ASSERT((rate.xx != 0) == (k == 0) && (rate.yy != 0) == (k == 0));
+    CU_ASSERT((rate.xy != 0) == (k == 1) && rate.yx == rate.xy);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
@@ -646,4 +733,8 @@ void suite_drive(void) {
   CU_ADD_TEST(suite, members_are_counterclockwise);
   CU_ADD_TEST(suite, members_at_the_same_angle);
   CU_ADD_TEST(suite, an_ended_boundary_is_free);
+  CU_ADD_TEST(suite, forces_of_a_boundary_stress);
+  CU_ADD_TEST(suite, contacts_with_walls_are_no_stress);
+  CU_ADD_TEST(suite, the_only_particle_joins_again);
+  CU_ADD_TEST(suite, components_without_a_servo);
 }

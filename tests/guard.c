@@ -1042,6 +1042,18 @@ static void messages_with_units(void) {
     CU_ASSERT(has(&error, errors[k].text));
     CU_ASSERT_EQUAL(error.line, k == 2 ? 6 : 0);
   }
+  struct words deep = {0};
+  struct written deep_scene;
+  words_add(&deep,
+            "material m density 1e9 kg/m3 young 1 Pa poisson 0\nallow unstable\nstep 0.5 s\nnormal hertz\nshear none\n"
+            "sphere 0 m 0 m radius 1 m m\nsphere 2.05 m 0 m radius 1 m m velocity -0.6 m/s 0 m/s\nstage s\n"
+            "cycles 1\n");
+  written_scene(&deep_scene, &deep);
+  struct nb_model *deep_model = written_model(&deep_scene, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(deep_model, &deep_scene.scene.stages[0], &error), NB_OK);
+  written_cycles(deep_model, 1);
+  CU_ASSERT_STRING_EQUAL(deep_model->deep.first, "particle 1 and particle 2, in cycle 1, at time 0.5 s");
+  nb_model_free(deep_model), written_free(&deep_scene);
   for (int cycle = 0; cycle < 8; cycle += 7) { /* before the first step a narrow cell is a mistake of the page */
     struct words page = {0};
     struct written it;

@@ -273,6 +273,8 @@ static void laws_of_all_stages(void) {
       {"material m density 1 kn 1\nstage a\nmaterial m friction 0\ncycles 1", false, false, NULL},
       {"material m density 1 kn 1 ks 1\nstage a\ncycles 1\nstage b\nshear linear\ncycles 1", false, true, NULL},
       {"material m density 1 kn 1 ks 1\nshear linear\nstage a\nshear none\ncycles 1", false, true, NULL},
+      {"material m density 1 kn 1 young 1 poisson 0\nstage a\ncycles 1\nstage b\nnormal hertz\ncycles 1", false, false,
+       NULL},
       {"material m density 1 young 1 poisson 0\nnormal hertz\nshear mindlin\nstage a\ncycles 1", false, true, NULL},
       {"material m density 1 young 1 poisson 0\nnormal hertz\nshear mindlin\nstage a\nmaterial m friction 1\ncycles 1",
        true, true, "mindlin"},
@@ -292,6 +294,7 @@ static void laws_of_all_stages(void) {
     written_scene(&it, &page);
     CU_ASSERT_EQUAL(nb_laws_friction(&it.scene), rows[k].friction);
     CU_ASSERT_EQUAL(nb_laws_shear(&it.scene), rows[k].shear);
+    CU_ASSERT_EQUAL(nb_laws_elastic(&it.scene), strstr(rows[k].statements, "normal hertz") != NULL);
     const struct nb_law *law = nb_laws_unstored(&it.scene, false);
     CU_ASSERT(rows[k].unstored ? law && strcmp(law->name, rows[k].unstored) == 0 : !law);
     CU_ASSERT_PTR_NULL(nb_laws_unstored(&it.scene, true)); /* all normal laws store energy */
@@ -299,9 +302,28 @@ static void laws_of_all_stages(void) {
   }
 }
 
+/* The number of pieces of a stage: the given one, the default of a law that the stage names without a number, and without
+ * a shear law in the stage the number so far. */
+static void pieces_of_a_stage(void) {
+  static const struct {
+    struct nb_laws laws;
+    double pieces;
+  } rows[] = {{{.shear = "mindlin_deresiewicz"}, 64},
+              {{.shear = "mindlin_deresiewicz", .pieces = 16}, 16},
+              {{.shear = "mindlin"}, 0},
+              {{.normal = "hertz"}, 8}};
+  const struct nb_active_laws before = {
+      .normal = nb_law_find("normal", "hertz"), .shear = nb_law_find("shear", "mindlin_deresiewicz"), .pieces = 8};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const struct nb_stage stage = {.laws = rows[k].laws};
+    CU_ASSERT_EQUAL(nb_laws_of(&stage, before).pieces, rows[k].pieces);
+  }
+}
+
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
   CU_ADD_TEST(suite, laws_of_all_stages);
+  CU_ADD_TEST(suite, pieces_of_a_stage);
   CU_ADD_TEST(suite, from_increments_to_hertz);
   CU_ADD_TEST(suite, springs_that_change);
   CU_ADD_TEST(suite, a_new_shear_law_begins_without_displacement);

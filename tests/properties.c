@@ -32,6 +32,12 @@ static void rules_for_two_materials(void) {
   same(nb_scene_pair(&scene, 0, 1), both);
   same(nb_scene_pair(&scene, 1, 0), both);
   same(nb_scene_pair(&scene, 1, 1), (struct nb_pair){.kn = 11, .ks = 13, .friction = 0.5, .cohesion = 2});
+  /* Springs in series: without stiffness if one of them has none, also if both have none. */
+  struct nb_material soft[] = {{.name = "c", .ks = 5}, {.name = "d"}};
+  const struct nb_scene none = {.materials = soft, .material_count = 2};
+  for (int a = 0; a < 2; a++)
+    for (int b = 0; b < 2; b++)
+      same(nb_scene_pair(&none, a, b), (struct nb_pair){.kn = 0, .ks = a + b == 0 ? 5 : 0});
 }
 
 /* `pair` may give any of the four properties. The rules give the others. */

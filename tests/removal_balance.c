@@ -68,8 +68,32 @@ static void springs_of_a_boundary(void) {
   }
 }
 
+/* A stage removes what it names, whatever walls it moves besides, before or after. */
+static void removal_and_wall_motions(void) {
+  static const char *const stages[] = {"remove disc 1\nwall w velocity 0 0\n", "wall w velocity 0 0\nremove disc 1\n",
+                                       "remove wall v\nwall w velocity 0 0\n", "wall w velocity 0 0\nremove wall v\n"};
+  for (int k = 0; k < 4; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 400\nstep 0.001\ndisc 0 0.9 radius 1 m\nwall v -9 0 to 9 0 m\n"
+              "wall w -9 9 to 9 9 m\nmonitor D disc 1\nrecord D.fy contacts\nstage s\n%scycles 1\n",
+              stages[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(written_now(model, "contacts"), 1);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    CU_ASSERT_EQUAL(written_now(model, "contacts"), 0);
+    CU_ASSERT_EQUAL(written_now(model, "D.fy"), 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_removal_balance(void) {
   CU_pSuite suite = CU_add_suite("removal_balance", NULL, NULL);
   CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);
   CU_ADD_TEST(suite, springs_of_a_boundary);
+  CU_ADD_TEST(suite, removal_and_wall_motions);
 }
