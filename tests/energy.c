@@ -501,6 +501,29 @@ static void a_dashpot_ends_in_x_and_in_y(void) {
   }
 }
 
+/* The dashpots of shear act on the velocity of the surfaces, v + R_1 w_1 + R_2 w_2, also if the radii and spins of the two
+ * discs differ. The energies balance up to an error of the order (w dt)^2 with w^2 = 3 k_s/M* = 424: 4e-4. */
+static void dashpots_of_different_discs(void) {
+  static const char *const discs[] = {"disc 0 0 radius 1 m\ndisc 3.98 0 radius 3 m spin 0.1\n",
+                                      "disc 0 0 radius 3 m spin 0.1\ndisc 3.98 0 radius 1 m\n",
+                                      "disc 0 0 radius 3 m\ndisc 3.98 0 radius 1 m spin 0.1\n"};
+  for (size_t k = 0; k < sizeof discs / sizeof *discs; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 400 ks 400 friction 1000\nshear linear\ndamping stiffness 0.01\n%s"
+              "step 0.001\nrecord energy.damped energy.balance\nstage s\ncycles 100\n",
+              discs[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double damped = written_last(&result, "energy.damped");
+    CU_ASSERT(damped > 0.001);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.balance"), 0, 1e-3 * damped);
+    nb_result_free(&result), written_free(&it);
+  }
+}
+
 /* A page that records no energy balance has neither the sums nor the fields for it. */
 static void no_balance_unless_asked_for(void) {
   struct written it;
@@ -576,6 +599,7 @@ void suite_energy(void) {
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);
   CU_ADD_TEST(suite, a_dashpot_ends_in_x_and_in_y);
+  CU_ADD_TEST(suite, dashpots_of_different_discs);
   CU_add_test(suite, "no balance unless it is asked for", no_balance_unless_asked_for);
   CU_add_test(suite, "a boundary stress with damping of all particles", a_boundary_stress_with_damping);
   CU_add_test(suite, "momentum", momentum);

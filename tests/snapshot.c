@@ -196,9 +196,9 @@ static void rings_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed. Columns equal the recorded
- * quantities of the same names, or known values. Two of the four variants store the particles in another order, and two
- * have an imposed motion. */
+/* Particles, walls and contacts of a scene in motion, from which particle 2 and wall 2 were removed. Columns equal
+ * the recorded quantities of the same names, or known values. Two of the four variants store the particles in another
+ * order, and two have an imposed motion. */
 static void columns_are_the_quantities(void) {
   static const char *const of_particle[] = {"x", "y", "angle", "vx", "vy", "fx", "fy", "moment", "spin"};
   static const char *const of_contact[] = {"overlap", "normal", "shear", "sliding"};
@@ -210,7 +210,7 @@ static void columns_are_the_quantities(void) {
     words_add(&page,
               "units none\nmaterial m density 1 kn 100 ks 80 friction 0.5\nshear linear\n"
               "disc 0 0 radius 1 m velocity 0.1 0 spin 1\ndisc 9 9 radius 1 m\ndisc 1.2 1.55 radius 1 m spin -2\n"
-              "disc -9 3 radius 0.5 m velocity 0 0.2\nwall low -5 -0.99 to 5 -0.99 m\n"
+              "disc -9 3 radius 0.5 m velocity 0 0.2\nwall low -5 -0.99 to 5 -0.99 m\nwall gone 20 -3 to 20 5 m\n"
               "wall side 8 -3 to 8 5 m velocity 1 0.5\nmonitor P1 disc 1\nmonitor P2 disc 3\nmonitor P3 disc 4\n"
               "monitor C1 disc 1 with wall low\nmonitor C2 disc 1 with disc 3\nrecord");
     for (int k = 1; k <= 3; k++)
@@ -220,7 +220,8 @@ static void columns_are_the_quantities(void) {
       for (size_t q = 0; q < sizeof of_contact / sizeof *of_contact; q++)
         words_add(&page, " C%d.%s", k, of_contact[q]);
     words_add(&page,
-              "\nregion A circle 9 9 radius 2 rings 1\nstep 0.01\nstage s\nremove disc 2\n%scycles 10\nsnapshot\n",
+              "\nregion A circle 9 9 radius 2 rings 1\nstep 0.01\nstage s\nremove disc 2\nremove wall gone\n%scycles "
+              "10\nsnapshot\n",
               variant < 2 ? "" : "affine strain 0.01 -0.02\n");
     written_scene(&it, &page);
     written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
@@ -259,7 +260,7 @@ static void columns_are_the_quantities(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "x"), written_last(&result, "P1.x") + arm * ex, 1e-14);
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "y"), written_last(&result, "P1.y") + arm * ey, 1e-14);
     }
-    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* at time 0.1 */
+    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {3, 8.1, -2.95, 8.1, 5.05}}; /* at time 0.1 */
     static const char *const of_wall[] = {"wall", "x1", "y1", "x2", "y2"};
     for (size_t w = 0; w < 2; w++)
       for (size_t q = 0; q < 5; q++)
