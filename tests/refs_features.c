@@ -87,6 +87,12 @@ static void features_of_contacts(void) {
   HAS((stage->changes = &sticks, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
   HAS((stage[-1].changes = &sticks, stage[-1].change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
   HAS((stage->changes = &swells, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_RAMP, HAS_NOTHING);
+  /* A change of stiffness alone, as the first or the second of two */
+  struct nb_change several[2] = {{.friction = NAN, .cohesion = NAN, .line = LINE},
+                                 {.friction = NAN, .cohesion = NAN, .line = LATER}};
+  HAS((stage->changes = several, stage->change_count = 2), HAS_MATERIAL_CHANGE, HAS_NOTHING);
+  several[1] = swells;
+  HAS((stage->changes = several, stage->change_count = 2), HAS_MATERIAL_CHANGE, HAS_RAMP, HAS_NOTHING);
   HAS((strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE), HAS_LAW_CHANGE, HAS_NOTHING);
   HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_MEMORY, HAS_NOTHING);
 }
@@ -106,6 +112,14 @@ static void features_of_pairs(void) {
   BETWEEN(0, 1, 1, HAS_WALLS, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
   BETWEEN(1, 0, 1, HAS_WALLS, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
   BETWEEN(1, 1, 1, HAS_WALLS, HAS_NOTHING);
+  /* A third particle, or a second wall, of a material without friction changes nothing. */
+#define AND_OTHERS(walled)                                                                                             \
+  scene->material_count = 3, scene->pair_rules = it.rules, scene->pair_rule_count = 1, it.rules[0] = rule,             \
+  particle[1].material = it.walls[0].material = 1, particle[2].material = it.walls[1].material = 2,                    \
+  particle[2].shape = NB_DISC, scene->particle_count = (walled) ? 1 : 3, scene->wall_count = (walled) ? 2 : 0,         \
+  it.walls[0].line = LINE, it.walls[1].line = LATER
+  HAS((AND_OTHERS(false)), HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
+  HAS((AND_OTHERS(true)), HAS_WALLS, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
 }
 
 static void features_of_damping(void) {
@@ -127,7 +141,10 @@ static void features_of_damping(void) {
 }
 
 static void features_of_loading(void) {
-  struct nb_wall_motion motion = {.line = LINE};
+  struct nb_wall_motion motion = {.line = LINE}, moves[2] = {{.line = LATER}, {.vx = 1, .removed = true, .line = LINE}};
+  struct nb_removal gone[2] = {{.line = LINE}, {.line = LATER}};
+  HAS((stage->motions = moves, stage->motion_count = 2), HAS_MOVING_WALLS, HAS_REMOVE_WALL, HAS_NOTHING);
+  HAS((stage->removals = gone, stage->removal_count = 2), HAS_REMOVE, HAS_NOTHING);
   for (int sign = -1; sign < 2; sign += 2) {
     for (int k = 0; k < 4; k++) {
       const struct nb_strain_rate strain = {sign * (k == 0), sign * (k == 1), sign * (k == 2), sign * (k == 3), false};
