@@ -412,6 +412,16 @@ static void force_chain(void) {
   "material w kn 10 ks 4 young 4 poisson 0.25 friction 0.9\nnormal linear\nshear linear\nsphere 5 6.99 radius 2 g\n"   \
   "wall f " wall " w velocity 0.01 0\nmonitor C sphere 1 with wall f\nmonitor D sphere 1\nstep 0.1\n" stages
 static void changed_law(void) {
+  /* Two lines precede the text: the fence and the units. */
+  static const char laws[] = "material g density 1 young 4 poisson 0.25\nnormal hertz\nshear mindlin_scaled\n"
+                             "sphere 5 6.99 radius 2 g\nwall f 0 5 to 9 5 g\nstep 0.1\nstage s\ncycles 1\n";
+  refs_check_error(
+      "changed_law", laws,
+      "the reference `changed_law` does not cover `shear mindlin_scaled` (line 5); it covers `shear none`, "
+      "`shear linear`, `shear mindlin`, `shear mindlin_deresiewicz`");
+  refs_check_error("force_chain", laws,
+                   "the reference `force_chain` does not cover `sphere` (line 6), `normal hertz` (line 4), `shear "
+                   "mindlin_scaled` (line 5); it covers `normal linear`, `shear none`, `disc`, `wall`");
   const double kn = 15, overlap = 0.01, end = 1.8, least = kn * overlap * end * end / 2 / (1e-13 * overlap);
   char page[1024];
   CU_ASSERT(kn > 4. / 3 * (2 / 0.9375) * sqrt(2 * overlap)); /* the linear spring is the stiffer one */
