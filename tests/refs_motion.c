@@ -136,12 +136,12 @@ static void one_contact_values(void) {
   const double m = pi * 32 / 3;
   VALUES("one_contact",
          "material h density 1 kn 10 ks 7" STICKS LINEAR "damping stiffness 0.5\nwall w -9 0 to 9 0 h\n"
-         "sphere 3 2.25 radius 2 h spin 0.5 velocity -1 -0.25\nmonitor A sphere 1\nmonitor C sphere 1 with wall "
+         "sphere 3 2.25 radius 2 h spin 0.25 velocity -1 -0.25\nmonitor A sphere 1\nmonitor C sphere 1 with wall "
          "w\n" CYCLES("50"),
-         1, {"A.x", 2.5}, {"A.y", 2.125}, {"A.angle", 0.25}, {"A.vx", -1}, {"A.vy", -0.25}, {"A.spin", 0.5},
+         1, {"A.x", 2.5}, {"A.y", 2.125}, {"A.angle", 0.125}, {"A.vx", -1}, {"A.vy", -0.25}, {"A.spin", 0.25},
          {"C.overlap", 0}, {"C.normal", 0}, {"C.shear", 0}, {"energy.stored", 0}, {"energy.balance", 0},
-         {"energy.kinetic", m * (1 + 0.0625 + 1.6 * 0.25) / 2}, {"momentum.x", -m}, {"momentum.y", -0.25 * m},
-         {"momentum.angular", m * (2.5 * -0.25 + 2.125 + 1.6 * 0.5)});
+         {"energy.kinetic", m * (1 + 0.0625 + 1.6 * 0.0625) / 2}, {"momentum.x", -m}, {"momentum.y", -0.25 * m},
+         {"momentum.angular", m * (2.5 * -0.25 + 2.125 + 1.6 * 0.25)});
 }
 
 /* A sphere of m = 32 pi/3 on a spring of k = 10 oscillates in a run so long that a thousandth of it needs more steps of
@@ -518,6 +518,8 @@ static void rigid_impact(void) {
       VALUES("rigid_impact", page, 0, {"impact.psi2", sticks ? 0 : (tan(angle) - 2 * mu * 3.5) / (mu * kappa)},
              {"impact.restitution", sticks ? hypot(cos(angle), 5. / 7 * sin(angle)) : slid});
     }
+  refs_check_message("rigid_impact", STRIKES("-99 2 to 99 2 w\nwall v -99 -90 to 99 -90", "0.5"),
+                     "one particle and one wall");
 }
 
 /* A spinning sphere slides throughout its impact on a wall that rises along (0.8, 0.6), at psi1 = 4.5 chi: J_t = mu J_n, so
