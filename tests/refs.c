@@ -544,7 +544,8 @@ static void masses_and_contact_constants(void) {
       {.density = 3, .kn = 6, .ks = 2, .friction = 0.5, .cohesion = 7, .young = 182, .poisson = 0.3},
       {.density = 5, .kn = 3, .ks = 2, .friction = 0.25, .cohesion = 9, .young = 75, .poisson = 0.25},
       {.young = INFINITY}};
-  struct nb_pair_rule rule = {.a = 1, .b = 0, .kn = NAN, .ks = 11, .friction = 0, .cohesion = NAN};
+  struct nb_pair_rule rules[2] = {{.a = 1, .b = 0, .kn = NAN, .ks = 11, .friction = 0, .cohesion = NAN},
+                                  {.a = 0, .b = 0, .kn = 13, .ks = NAN, .friction = NAN, .cohesion = 21}};
   const struct nb_particle disc = {.shape = NB_DISC, .radius = 2},
                            sphere = {.shape = NB_SPHERE, .radius = 3, .material = 1};
   struct nb_scene scene = {.materials = materials, .material_count = 3};
@@ -561,10 +562,13 @@ static void masses_and_contact_constants(void) {
   CU_ASSERT_DOUBLE_EQUAL(pair.young, 1 / (0.005 + 0.0125), 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(pair.shear, 1 / (1.7 / 70 + 1.75 / 30), 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(matter_pair(&scene, 0, 2).young, 200, 1e-12); /* one is rigid */
-  scene.pair_rules = &rule, scene.pair_rule_count = 1;
+  scene.pair_rules = rules, scene.pair_rule_count = 2;
   pair = matter_pair(&scene, 0, 1);
   CU_ASSERT_DOUBLE_EQUAL(pair.kn, 4, 1e-15);
   CU_ASSERT(pair.ks == 11 && pair.friction == 0 && pair.cohesion == 7);
+  const struct matter_pair same = matter_pair(&scene, 0, 0);
+  CU_ASSERT(same.kn == 13 && same.friction == 0.5 && same.cohesion == 21);
+  CU_ASSERT_DOUBLE_EQUAL(same.ks, 2, 1e-15);
   const struct nb_pair simulated = nb_scene_pair(&scene, 0, 1);
   REFS_NEAR(simulated.kn, pair.kn, 1e-15, 4.);
   REFS_NEAR(simulated.young, pair.young, 1e-15, 60.);
