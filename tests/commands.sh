@@ -22,6 +22,9 @@ page noted '' 'report D.x max'
 page skipped 'sweep s 4' 'D.x increases with s'
 page swept '' 'D.x increases with v\nD.x above 1.25'
 sed 's/^let v = .*/sweep v 0.25 0.5/' swept.md >both.md && mv both.md swept.md
+page spread '' 'D.x expected 1.25 over v [1 + 0.25]\nreport time'
+sed 's/^let v = .*/sweep v 0.25 0.5/' spread.md >both.md && mv both.md spread.md
+page mixed '' 'D.x expected 1.5 within 0 [a guess]\nreport time'
 page late '' 'D.x above 0' 'cycles 2\nstage on\nuntil D.x above 9 at most 2 cycles'
 page drawn '' 'D.x expected 1.5 within 0 [a guess]'
 printf '\n```gnuplot\nplot $table using 2:3\n```\n' >>drawn.md
@@ -139,6 +142,25 @@ $ check skipped.md
           `s` has one value only, so there is nothing to compare
 ! skipped.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
 = 2
+$ check spread.md
+  spread: Page spread
+    note  report time (v=0.25)
+          computed 1
+    note  report time (v=0.5)
+          computed 1
+    note  D.x expected 1.25 over v [1 + 0.25]
+          expected 1.25, within the range of 2 runs over v: 1.25 to 1.5, mean 1.375, standard deviation 0.18; percentile 25
+    3 noted
+! spread.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run spread.md`
+= 2
+$ check mixed.md
+  mixed: Page mixed
+    FAIL  D.x expected 1.5 within 0 [a guess]
+          mixed.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+    note  report time
+          computed 1
+    0 of 1 checks passed, 1 noted
+= 1
 $ check swept.md
   swept: Page swept
     FAIL  D.x above 1.25 (v=0.25)

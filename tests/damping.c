@@ -271,6 +271,32 @@ static void continued_impact(void) {
   written_free(&it);
 }
 
+/* The last normal force of an impact whose first touch is in the second stage. */
+static double force_after_change(const char *first, const char *second) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 400\nsphere 0 0 radius 1 m velocity 0.25 0\nwall w 1.01 -9 to 1.01 9 m\n"
+      "damping ratio 0.3\nstep 0.01\nmonitor C sphere 1 with wall w\nrecord C.normal\nstage before\ndamping %s\n"
+      "cycles 3\nstage touch\ndamping %s\ncycles 8\n",
+      first, second);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double force = written_last(&result, "C.normal");
+  nb_result_free(&result), written_free(&it);
+  return force;
+}
+
+/* No dashpot acts before the contact, so only the words of the stage with the contact count. */
+static void a_stage_changes_the_time_of_the_velocity(void) {
+  const double late = force_after_change("late", "late"), centred = force_after_change("centred", "centred");
+  CU_ASSERT(fabs(late - centred) > 1e-3 * centred);
+  CU_ASSERT_EQUAL(force_after_change("centred", "late"), late);
+  CU_ASSERT_EQUAL(force_after_change("late", "centred"), centred);
+}
+
 /* First touch is at the end of a step, or at time 0. The dashpot then acts for the same time, whether the overlap is 0
  * or differs from 0 by rounding. The gaps differ by up to 1e-12 of the displacement in a step, which changes the
  * restitution by a fraction of this order; the test allows 1e-9. */
@@ -486,6 +512,7 @@ void suite_damping(void) {
   CU_add_test(suite, "a touch at the end of a step", a_touch_at_the_end_of_a_step);
   CU_ADD_TEST(suite, weights_at_first_touch);
   CU_ADD_TEST(suite, lines);
+  CU_ADD_TEST(suite, a_stage_changes_the_time_of_the_velocity);
   CU_add_test(suite, "a wall has infinite mass", a_wall_has_infinite_mass);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
   CU_add_test(suite, "the total normal force may be tensile", total_normal_force_may_be_tensile);

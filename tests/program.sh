@@ -640,6 +640,8 @@ out 'periodic  cell 0 mm 0 mm to 80 mm 80 mm'
 run 0 --help max unbalanced
 out 'unbalanced.max, quantity of the scene'
 out 'max, after the quantity of an expectation'
+run 0 --help over with
+test "$(grep -c 'increases with NAME {over SAMPLE}$' out)" -eq 1 || echo 'an expectation with both words is not printed once' >>why
 run 2 --help nothing such
 run 0 --help thickness
 out '1 m thick'
@@ -739,9 +741,9 @@ run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
 said '--set: the step has no limit: a fraction needs a free particle, a partner that it could touch, and a material with'
-sed 's/^step .*/step 0.1 of single-contact/' soft.md >endless.md
+sed 's/^step .*/ 	step 0.1 of single-contact/' soft.md >endless.md
 run 2 check endless.md
-said "endless.md:12:1: error: the step has no limit: "
+said "endless.md:12:3: error: the step has no limit: "
 run 2 check --tap endless.md
 out "# line 12: the step has no limit: "
 for page in endless.md "$pages/fails.md" "$pages/passes.md" "$pages/never-ends.md" "$pages/hidden.md"; do
@@ -1367,6 +1369,12 @@ if command -v gnuplot >/dev/null; then
   sed "s|^plot .*|&, \$values using 'D.y/m':'D.y/-'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'the columns of `$values` are `run`, `D.x/-`, `reference D.x/-`'
+  # The first missing column is the reason, and the columns of a sweep are listed once.
+  sed "s|^disc |sweep s 1 2\n&|; s|^plot .*|plot \$table_1 using 'D.y/-':'time/-', \$table_2 using 'time/-':'D.z/-'|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  grep -q '^nineball: gnuplot refused lacks/lacks.gp: .* no column with header "D.y/-" (line 24 of the page); the name' said || echo 'not the first column' >>why
+  said 'the columns of `$table` are `stage`, `time/-`, `D.x/-`, `step/-`'
+  grep -q 'step/-`, ' said && echo 'columns are listed twice' >>why
   verdict 'a figure with a missing column'
   sed "s|^plot .*|plot 'table.tsv'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust

@@ -433,6 +433,30 @@ result $? 'report: a long list without failures is folded'
 grep -q '^<tr><td class="pass">pass</td><td>D.x order 2 in h within 0.003<br><small>errors [0-9.e-]* at h = 0.002, [0-9.e-]* at .*</small></td><td colspan="4"><svg ' \
   lists/order/index.html
 result $? 'report: the part of a message behind the tolerance'
+# The scales of a trend are linear if the smallest value is 0 or negative: x = 0, 3, 6 and y = -1, 2, 5.
+site_page 'Negative' '0 3 6' 'D.x increases with v' | sed 's/^disc 1/disc -1/' >negative.md
+run 0 report negative.md -o lists && cp lists/negative/index.html "$why" &&
+  grep -qF '<polyline fill="none" points="5.0,45.0 70.0,25.0 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/>' "$why"
+result $? 'report: a trend of values of both signs'
+# The folder of a page may be above the folders of other pages. A file without text is a page with a mistake. A page that does not exist
+# is no target of a link.
+mkdir -p odd/negative/sub
+cp negative.md odd/negative/sub/other.md
+: >nothing.md
+printf '# Text\n' >text.md
+printf '\n[text](text.md) [none](no-page.md)\n' | cat negative.md - >linked.md
+"$nineball" report negative.md odd/negative/sub/other.md no-page.md nothing.md linked.md --unrun text.md -o odd >out 2>given
+test $? -eq 2 && diff -u - out >"$why" <<'END'
+negative                        1 checks, 0 failed
+other                           1 checks, 0 failed
+no-page                         0 checks, 0 failed; did not run to its end
+nothing                         0 checks, 0 failed; did not run to its end
+linked                          1 checks, 0 failed
+look at odd/index.html
+END
+result $? 'report: pages in folders of the report, and pages that are missing or empty'
+grep -q '<a href="../text/index.html">text</a>' odd/linked/index.html && grep -q '<span>none</span>' odd/linked/index.html && ! grep 'without running' odd/text/index.html
+result $? 'report: links to a text that is not run, and to a missing page'
 # A table of 100000 bytes is kept, one of 100001 is not: a longer name of the page makes the first lines of its table longer.
 site_page 'Rows' 1 'cycle above 1' | sed 's/^record .*/record cycle/; s/^stage .*/stage s/; s/^cycles .*/cycles 13875/; /^sweep/d; s/\$v/1/' >k.md
 run 0 run k.md -o kept
@@ -475,7 +499,8 @@ chmod +x scripts/pandoc
 sed '/^```gnuplot/,/^```$/d' "$pages/passes.md" >typeset/first.md
 sed 's/^# .*/# Second\n\n[a](data.tsv) [b](first.md)\n/' typeset/first.md >typeset/second.md
 echo 1 >typeset/data.tsv
-typeset() { PATH=$work/scripts:$PATH NINEBALL_CONFINE=none "$nineball" report typeset/first.md typeset/second.md -o typeset-site >out 2>given; }
+mkdir -p folders/pandoc # a folder is no program
+typeset() { PATH=$work/folders:$work/scripts:$PATH NINEBALL_CONFINE=none "$nineball" report typeset/first.md typeset/second.md -o typeset-site >out 2>given; }
 typeset && sed '1,/first.md: warning: pandoc: typeset$/d' given | diff -u /dev/fd/3 - >"$why" 3<<'END'
 typeset/second.md: warning: pandoc: [--sandbox]
 typeset/second.md: warning: pandoc: [--from=gfm+tex_math_dollars]
@@ -525,6 +550,10 @@ if command -v gnuplot >/dev/null; then
     said 'a check of this page failed: type `nineball check failed.md`' &&
     ! grep -q INCOMPLETE some/failed.svg && ! grep -q INCOMPLETE some/failed.gp
   result $? 'figure: a page with a failed check is drawn as complete'
+  sed 's/^plot .*/plot $nothing/' stopped.md >both.md
+  run 3 report both.md -o some && cp some/both/index.html "$why" &&
+    grep -qF 'above 6; gnuplot refused some/both/both.gp: ' "$why" && grep -q 'stage `wait` (line 10) did not end within 20 cycles' "$why"
+  result $? 'report: an aborted run whose figure cannot be drawn'
   # If the first run of a sweep is aborted, the others are not started and have no tables.
   run 3 figure "$pages/../../cases/8-published/chung-ooi-3.md" --set 'step=1 s' --jobs 1 -o some &&
     said 'look at some/chung-ooi-3.svg, up to where the run was stopped'

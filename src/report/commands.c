@@ -74,8 +74,8 @@ bool nb_outcome_is_unchecked(const struct nb_outcome *outcome) {
   return outcome->status == NB_OK && !outcome->mark_count[NB_PASS];
 }
 
-/* Warns of a table of very many rows. The warning names a `record every` for the stage with most rows, with which the
- * table has at most a million, unless the other stages alone have more. */
+/* Warns of a table of very many rows. The warning names a `record every` for the stage with most rows, with which this
+ * stage has at most half a million, so the table has at most a million if the other stages have half a million. */
 static void warn_of_rows(const struct nb_outcome *outcome, const char *path) {
   const double most_rows = 1e6;
   const struct nb_scene *const scene = &outcome->runs[0].scene;
@@ -91,9 +91,8 @@ static void warn_of_rows(const struct nb_outcome *outcome, const char *path) {
     most = rows[s] > rows[most] ? s : most;
   if (rows && all > most_rows) {
     const struct nb_stage *const stage = &scene->stages[most];
-    const double others = all - rows[most], wanted = others < most_rows / 2 ? most_rows - others : most_rows / 2;
     double every = (double)stage->record_interval;
-    for (double left = rows[most]; left > wanted - (double)outcome->run_count; left /= 10)
+    for (double left = rows[most]; left > most_rows / 2 - (double)outcome->run_count; left /= 10)
       every *= 10;
     fprintf(stderr,
             "%s:%d: warning: table.tsv has %.0f rows, most of them of stage `%s`: write `record every %.0f %s` in it\n",

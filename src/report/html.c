@@ -20,7 +20,7 @@ void nb_html_text(FILE *out, const char *before, const char *text, const char *a
 
 void nb_html_address(char *address, size_t size, const char *name) {
   for (const char *c = name; *c; c++)
-    nb_append(address, size, isalnum((unsigned char)*c) || strchr("-_./", *c) ? "%c" : "%%%02X", (unsigned char)*c);
+    nb_append(address, size, isalnum((unsigned char)*c) || strchr("-_.", *c) ? "%c" : "%%%02X", (unsigned char)*c);
 }
 
 /* The page may load scripts and figures only from the report. The policy has both 'self' and `file:`, because browsers

@@ -118,7 +118,7 @@ static const char *next_target(const char **line, char *target, size_t size) {
   while ((*line = strstr(*line, "]("))) {
     *line += 2;
     const size_t length = strcspn(*line, " )#\t");
-    if (length == 0 || length >= size || memchr(*line, ':', length))
+    if (length >= size || memchr(*line, ':', length))
       continue;
     memcpy(target, *line, length);
     target[length] = 0;

@@ -245,7 +245,7 @@ static bool parse_number(int *number, const char *text) {
   char *end;
   const long value = strtol(text, &end, 10);
   *number = (int)value;
-  return !*end && end != text && value >= 1 && value <= 256;
+  return !*end && value >= 1 && value <= 256;
 }
 
 /* Appends a word to a list that ends in NULL and is long enough. */
@@ -271,7 +271,7 @@ static enum nb_status set_option(struct nb_call *call, const struct option_row *
     break;
   case SECONDS:
     *(double *)at = value ? strtod(value, &end) : checkpoint_seconds;
-    if ((value && (*end || end == value)) || !(*(double *)at > 0) || !isfinite(*(double *)at))
+    if ((value && *end) || !(*(double *)at > 0) || !isfinite(*(double *)at))
       return usage("expected a number of seconds above 0 after --%s=, found `%s`", row->name, value);
     break;
   case PAGE:

@@ -91,7 +91,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
            outcome->mistakes.count ? "has mistakes"
            : count                 ? "was not checked"
                                    : "did not run");
-    if (outcome->error.line && !outcome->mistakes.count)
+    if (outcome->error.line)
       printf("line %d: ", outcome->error.line);
     puts(outcome->mistakes.count ? "" : outcome->error.text);
   }
@@ -113,7 +113,7 @@ void nb_print_error(const struct nb_error *error, const struct nb_page *page, co
 void nb_print_errors(const struct nb_outcome *outcome, const char *path) {
   if (outcome->mistakes.text)
     fputs(outcome->mistakes.text, stderr);
-  if (outcome->error.text[0] && outcome->status > NB_FAILED)
+  if (outcome->error.text[0])
     nb_print_error(&outcome->error, &outcome->page, path);
   nb_print_warnings(stderr, "", path, &outcome->warnings);
 }

@@ -364,7 +364,7 @@ static void put_message(struct nb_report_page *page) {
   const struct nb_outcome *outcome = &page->outcome;
   const char *const text = outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text;
   char place[NB_NAME_SIZE] = "";
-  if (outcome->error.line && !outcome->mistakes.text)
+  if (outcome->error.line)
     snprintf(place, sizeof place, "line %d: ", outcome->error.line);
   snprintf(page->message, sizeof page->message, "%s%.447s", place, text);
 }

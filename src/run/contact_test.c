@@ -73,8 +73,6 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
 
   const double overlap = approach > 0 ? approach : 0, dn = approach - now->approach;
   const bool touching = overlap > 0;
-  if (!touching && contact_test->normal_doubles > NB_HISTORY)
-    clear_history(next->normal_history, contact_test->normal_doubles);
   next->n = contact_test->normal->normal(contact_test->pair, overlap, dn, next->normal_history);
   next->n.overlap = overlap;
   next->s = (struct nb_shear){0};

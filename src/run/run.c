@@ -168,7 +168,7 @@ static const char *counts_from(const struct nb_stage *stage) {
     if (part == name)
       return "; this strain counts from the start of the run, or with `region … from STAGE` from the start of STAGE; "
              "`stage.time` counts from the start of each stage";
-    if (part && part[-1] == '.')
+    if (part)
       return "; this strain counts from time 0, `stage.time` from the start of the stage";
   }
   return "";
