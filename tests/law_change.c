@@ -320,10 +320,29 @@ static void pieces_of_a_stage(void) {
   }
 }
 
+/* A shear force at its limit slides, in both directions; one below it sticks. A law in increments ends with the overlap. */
+static void single_steps(void) {
+  static const char *const laws[] = {"linear", "mindlin", "mindlin_scaled"};
+  const struct nb_pair p = {.young = 1, .shear = 1, .radius = 1, .ks = 1, .friction = 0.5};
+  const struct nb_normal n = {.force = 2, .stiffness = 1, .radius = 1, .overlap = 1};
+  for (size_t k = 0; k < sizeof laws / sizeof *laws; k++)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      double m[NB_HISTORY] = {0};
+      const struct nb_law *law = nb_law_find("shear", laws[k]);
+      CU_ASSERT_EQUAL(law->shear(p, n, sign * 0.01, m).sliding, 0);
+      const struct nb_shear out = law->shear(p, n, sign * 10, m);
+      CU_ASSERT(out.sliding == 1 && out.force == sign * 0.5 * 2);
+    }
+  double m[NB_HISTORY] = {1};
+  const struct nb_normal end = nb_law_find("normal", "hertz_increment")->normal(p, 0, -1e-3, m);
+  CU_ASSERT(end.force == 0 && end.stiffness == 0 && m[0] == 0);
+}
+
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
   CU_ADD_TEST(suite, laws_of_all_stages);
   CU_ADD_TEST(suite, pieces_of_a_stage);
+  CU_ADD_TEST(suite, single_steps);
   CU_ADD_TEST(suite, from_increments_to_hertz);
   CU_ADD_TEST(suite, springs_that_change);
   CU_ADD_TEST(suite, a_new_shear_law_begins_without_displacement);

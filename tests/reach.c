@@ -104,8 +104,8 @@ static void cells(void) {
     struct nb_error error;
     words_add(&page,
               "units none\nmaterial m density 1 kn 1\nskin 0.5\nstep 0.01\nperiodic cell 0 0 to 9 9\n"
-              "disc 1 1 radius 0.5 m\ndisc 5 5 radius 0.75 m\nstage s\ncell strain %s\ncycles 1\n",
-              cases[k].strain);
+              "disc 1 1 radius %g m\ndisc 5 5 radius %g m\nstage s\ncell strain %s\ncycles 1\n",
+              k % 2 ? 0.5 : 0.75, k % 2 ? 0.75 : 0.5, cases[k].strain);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
