@@ -237,9 +237,9 @@ result $? 'the whole message about a value that is not known well enough'
 # The run that is named is that with the largest uncertainty, over the tolerance: at ten times the speed a step moves the disc ten times as
 # far. So is the run in which a variant differs most: D.x max = 0.1 + v (m/k)^(1/2), so a percentage is exceeded more with the larger v.
 for speeds in '0.02 m/s 0.2 m/s' '0.2 m/s 0.02 m/s'; do
-  sed "s,^sweep.*,sweep v $speeds,; s/^trade  *k.*/trade k 0.2 N\/m/; s,above 0.2 m,below 0.1 m and D.vx below 0 m/s," si.md >order.md
-  run 1 advise order.md --quantity 'D.x max' --within '1e-15 m' --budget 0.5 -o order && said ' times the tolerance, in run v=0.2 m/s. Choose a larger tolerance' &&
-    run 0 advise order.md --quantity 'D.x max' --within '2 %' -o order &&
+  sed "s,^sweep.*,sweep v $speeds,; s/^trade  *k.*/trade k 0.2 N\/m/; s,above 0.2 m,below 0.1 m and D.vx below 0 m/s," si.md >decides.md
+  run 1 advise decides.md --quantity 'D.x max' --within '1e-15 m' --budget 0.5 -o decides && said ' times the tolerance, in run v=0.2 m/s. Choose a larger tolerance' &&
+    run 0 advise decides.md --quantity 'D.x max' --within '2 %' -o decides &&
     grep -Eq ', k=0.2 N/m: its value differs from that of the page by [0-9]* times the tolerance, in run v=0.2 m/s$' "$why"
   result $? "the run that decides: speeds $speeds"
 done
