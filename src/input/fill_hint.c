@@ -192,9 +192,15 @@ static void complete_particles(struct wanted *wanted, double solid) {
     wanted->radii[0] = place ? rounded(sqrt(solid * wanted->area / (wanted->count * NB_PI)), false) : 5e-3;
 }
 
+/* The side of a box with 2 + 2 sqrt(2) radii: a second particle has a place wherever the first one is. */
+static double least_side(const struct wanted *wanted) {
+  return (2 + sqrt(8)) * wanted->radii[size_count(wanted) > 1 ? 1 : 0];
+}
+
 /* Completes the place from number and radius, or enlarges a box or reduces the number. */
 static void complete_place(struct wanted *wanted, double solid, const char *unit) {
-  const double needed = wanted->count * mean_area(wanted), side = rounded(sqrt(needed / solid), true);
+  const double needed = wanted->count * mean_area(wanted);
+  const double side = rounded(fmax(sqrt(needed / solid), least_side(wanted)), true);
   const bool full = wanted->area > 0 && needed > MOST * wanted->area, box = strncmp(wanted->place, "box", 3) == 0;
   wanted->enlarged = full && box;
   if (full && !box)
