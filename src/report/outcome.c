@@ -226,15 +226,15 @@ static void warn_imposed(struct nb_outcome *outcome, const struct nb_page_run *r
             "`energy.imposed` is 0, because only walls and fixed particles move: their work is `energy.walls`");
 }
 
-/* Warns of a negative normal force after `expected` or `below`, which the laws of this program cannot give. */
+/* Warns of a negative normal force, which the laws of this program cannot give. */
 static void warn_of_tension(struct nb_scene *scene, const struct nb_expectation *it) {
   const struct nb_column *column = &scene->columns[it->measure.column];
   const unsigned bounds = nb_quantity_bounds(column->quantity) & (NB_AT_LEAST_0 | NB_AT_LEAST_0_BY_LAW);
   if (it->number < 0 && bounds == NB_AT_LEAST_0_BY_LAW)
     nb_warn(&scene->warnings, it->line,
             "`%s` is 0 or more with all laws of nineball: there are no bonds and no tension, and `cohesion` in "
-            "`material` is added to the limit of the shear force",
-            column->name);
+            "`material` is added to the limit of the shear force%s",
+            column->name, it->kind == NB_GREATER ? ". So this expectation always holds" : "");
 }
 
 /* Warns of a strain of a cell or a box that is compared with a number in a page with `start`. */
@@ -264,11 +264,13 @@ static bool warn_of_stresses(struct nb_page_run *run) {
     const struct nb_column *column = &scene->columns[it->measure.column];
     const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
     warn_of_origin(scene, it);
-    if ((it->kind == NB_EXPECTED && !it->has_scale) || (it->kind == NB_LESS && it->has_number)) {
+    const bool compared = (it->kind == NB_LESS || it->kind == NB_GREATER) && it->has_number;
+    const bool number = compared || (it->kind == NB_EXPECTED && !it->has_scale);
+    if (number && it->kind != NB_GREATER)
       nb_tension_warn(scene, &column->quantity, column->name, it->kind == NB_LESS ? "below" : "expected", it->number,
                       it->line);
+    if (number)
       warn_of_tension(scene, it);
-    }
     if (it->kind == NB_EXPECTED && !it->has_scale &&
         !nb_servo_compare(scene, stage, column->quantity, column->name, "expectation", it->line))
       return false;
@@ -296,8 +298,8 @@ static void warn_unused_sweeps(struct nb_outcome *outcome, const struct nb_scene
   }
 }
 
-/* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
-static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
+void nb_outcome_read_runs(struct nb_outcome *outcome, size_t particles_kept) {
+  const nb_settings settings = outcome->settings;
   size_t particles = 0;
   struct nb_scene first;
   nb_scene_read(&first, &outcome->page, 0, settings, &outcome->mistakes);
@@ -314,7 +316,8 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
       nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     track_columns(run);
-    if (!warn_of_stresses(run))
+    /* a scene with mistakes may have no stage */
+    if (outcome->mistakes.total == 0 && !warn_of_stresses(run))
       nb_mistake_memory(&outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
@@ -332,7 +335,7 @@ static enum nb_status read_page(struct nb_outcome *outcome, const char *path, nb
                                 size_t particles_kept) {
   *outcome = (struct nb_outcome){.settings = settings};
   if (!nb_page_read_kept(&outcome->page, path, &outcome->mistakes) || outcome->page.lines)
-    read_runs(outcome, settings, particles_kept);
+    nb_outcome_read_runs(outcome, particles_kept);
   outcome->status = nb_mistakes_status(&outcome->mistakes, 0);
   if (outcome->status == NB_NO_MEMORY)
     nb_error_memory(&outcome->error);

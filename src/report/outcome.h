@@ -88,6 +88,9 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
                                const struct nb_options *options, const struct nb_progress *progress);
 /* Only reads the page: the scenes and the expectations of all runs. */
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
+/* Reads all runs of the page of the outcome, up to the first run with mistakes, because most mistakes would be in every
+ * run. Only the first runs, which have `particles_kept` particles in all, keep their particles. */
+void nb_outcome_read_runs(struct nb_outcome *outcome, size_t particles_kept);
 /* Runs what has been read, without a verdict. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress);

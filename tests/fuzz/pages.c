@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../../src/input/reader.h"
-#include "../../src/report/expect.h"
+#include "../../src/report/outcome.h"
 
 static bool finite_all(const double *values, size_t count) {
   for (size_t k = 0; k < count; k++)
@@ -93,12 +93,11 @@ static bool read_run(const struct nb_page *page, size_t run, nb_settings setting
   return !status && !expected;
 }
 
-/* Reads the first run of the page and the last one. True if the first one is valid. */
-static bool read_runs(const struct nb_page *page, nb_settings settings) {
-  size_t runs;
-  const bool valid = read_run(page, 0, settings, &runs);
-  if (runs > 1)
-    read_run(page, runs - 1, settings, &runs);
+/* Reads the first run of the page and the last one. *runs becomes their number. True if the first one is valid. */
+static bool read_runs(const struct nb_page *page, nb_settings settings, size_t *runs) {
+  const bool valid = read_run(page, 0, settings, runs);
+  if (*runs > 1)
+    read_run(page, *runs - 1, settings, runs);
   return valid;
 }
 
@@ -116,9 +115,18 @@ static void read_set(const struct nb_page *page, size_t chance) {
       snprintf(own, sizeof own, "%s=%s", name, values[chance % (sizeof values / sizeof *values)]);
       texts[1] = own;
     }
-  read_runs(page, texts);
+  size_t runs;
+  read_runs(page, texts, &runs);
   if (texts[1])
-    read_runs(page, texts + 1);
+    read_runs(page, texts + 1, &runs);
+}
+
+/* Reads all runs of a page with few runs as `nineball check` does, with the warnings about its expectations. */
+static void read_outcome(const unsigned char *bytes, size_t size, size_t runs) {
+  struct nb_outcome outcome = {0};
+  if (runs <= 8 && nb_page_read_bytes(&outcome.page, "fuzz.md", (const char *)bytes, size, &outcome.mistakes) == NB_OK)
+    nb_outcome_read_runs(&outcome, SIZE_MAX);
+  nb_outcome_free(&outcome);
 }
 
 static bool read_page(const unsigned char *bytes, size_t size) {
@@ -129,7 +137,10 @@ static bool read_page(const unsigned char *bytes, size_t size) {
   fuzz_hold_mistakes(&mistakes, status);
   fuzz_hold(status == NB_OK || (!page.lines && !page.kind_of), "no page with errors");
   if (status == NB_OK) {
-    valid = read_runs(&page, NULL);
+    size_t runs;
+    valid = read_runs(&page, NULL, &runs);
+    if (fuzz_one_of(4))
+      read_outcome(bytes, size, runs);
     if (fuzz_one_of(4))
       read_set(&page, size);
   }
