@@ -230,6 +230,58 @@ static void rotation_in_a_step(void) {
   CU_ASSERT(has(&error, "wall `blade` (line 9): in cycle 1, at time 0.5, it turned by 1.5 rad"));
 }
 
+/* In a step of 1/2 a wall may move by 1e9 times the smallest radius, 1/2, so its speed is at most 1e9. It moves along
+ * itself, so that it does not pass through the discs. Of several walls the first that moves too far is named. */
+static void translation_of_walls(void) {
+  struct nb_error error;
+  unsigned long done;
+#define WALL HEAD "disc 90 0 radius 3 m\ndisc 80 0 radius 0.5 m\nwall rest -2 9 to 2 9 m\n"
+  CU_ASSERT_EQUAL(outcome(&error, WALL "wall w -2 0 to 2 0 m velocity -1e9 0", 2, &done), NB_OK);
+  CU_ASSERT_EQUAL(outcome(&error, WALL "wall w -2 0 to 2 0 m velocity -1.0000001e9 0", 2, &done), NB_BROKEN);
+  CU_ASSERT_EQUAL(outcome(&error, WALL "wall w -3 -4 to 3 4 m velocity 5.99e8 7.99e8", 2, &done), NB_OK);
+  CU_ASSERT_EQUAL(outcome(&error,
+                          WALL "wall w -3 -4 to 3 4 m velocity 12e8 16e8\nwall v -2 -9 to 2 -9 m velocity 3e9 0\n"
+                               "wall still -2 -20 to 2 -20 m",
+                          2, &done),
+                  NB_BROKEN);
+  CU_ASSERT_EQUAL(done, 1);
+  CU_ASSERT(
+      has(&error, "wall `w` (line 9): in cycle 1, at time 0.5, it moved by 1e+09 in one step of 0.5 and may have"));
+  CU_ASSERT(has(&error, "The limit is 1e+09 times the smallest radius, 0.5. Try"));
+}
+
+/* In a step of 1/2 a cell may be strained by 1/2, so the root of the sum of the squares of its strain rates is at most
+ * 1. A cell with one disc of radius 1, free or fixed, is at least 2 (2 + skin) wide, and the skin is a tenth of the
+ * radius; a cell that shrinks by 0.1 in each step, from 8.4, reaches 4.1 in step 7: 8.4*0.9^7 = 4.02. */
+static void strain_of_a_cell(void) {
+  static const struct {
+    const char *cell, *strain;
+    unsigned long cycles; /* without an error; 9: all */
+  } cases[] = {{"16 16", "1 0", 9},        {"16 16", "-1 0", 9},           {"16 16", "0 -1.000001", 0},
+               {"16 16", "1.000001 0", 0}, {"16 16", "0.6 0 c12 0.79", 9}, {"16 16", "0.6 0 c12 -0.81", 0},
+               {"16 16", "-0.7 -0.72", 0}, {"16 4.21", "0 0", 9},          {"16 8.4", "0 -0.2", 6}};
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+    for (int fixed = 0; fixed < 2; fixed++) {
+      char text[512];
+      struct nb_error error;
+      unsigned long done;
+      snprintf(text, sizeof text,
+               HEAD "periodic cell 0 0 to %s\ndisc 3 2 radius 1 m%s\nstage a\ncell strain %s\ncycles 1", cases[k].cell,
+               fixed ? " fixed" : "", cases[k].strain);
+      const unsigned long most = cases[k].cycles == 9 ? 1 : 8;
+      CU_ASSERT_EQUAL(outcome(&error, text, most, &done), cases[k].cycles == 9 ? NB_OK : NB_BROKEN);
+      CU_ASSERT_EQUAL(done, cases[k].cycles == 9 ? 1 : cases[k].cycles + 1);
+      if (cases[k].cycles == 0)
+        CU_ASSERT(has(&error, "the periodic cell (line 6): in cycle 1, at time 0.5, it was strained by 50"));
+      if (cases[k].cycles == 6)
+        CU_ASSERT(has(&error, "at cycle 7, at time 3.5"));
+    }
+  struct nb_error error;
+  unsigned long done;
+  CU_ASSERT_EQUAL(outcome(&error, HEAD "periodic cell 0 0 to 16 4.19\ndisc 3 2 radius 1 m", 0, &done), NB_BAD_USE);
+  CU_ASSERT(has(&error, "the cell is 4.19 wide at cycle 0"));
+}
+
 /* A fixed disc moves by 1/16 in each step into a disc too heavy to move: the overlap is the smaller radius after 16
  * cycles and exceeds it after 17. With a wide skin this happens between two searches. */
 static void overlap_during_the_run(void) {
@@ -1110,6 +1162,8 @@ void suite_guard(void) {
   CU_add_test(suite, "displacement in a step", displacement_in_a_step);
   CU_add_test(suite, "displacement imposed by a cell", imposed_by_a_cell);
   CU_add_test(suite, "rotation in a step", rotation_in_a_step);
+  CU_add_test(suite, "translation of walls in a step", translation_of_walls);
+  CU_add_test(suite, "strain of a cell in a step, and its width", strain_of_a_cell);
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
   CU_add_test(suite, "contacts without force", contacts_without_force);

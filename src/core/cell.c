@@ -49,6 +49,7 @@ void nb_cell_reset_travel(struct nb_cell *cell, double skin) {
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL], step = tensor_scale(model->step, rate);
+  cell->strain = tensor_size(step);
   cell->image_velocity = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
   if (!(model->search.skin < INFINITY))

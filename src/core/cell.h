@@ -12,6 +12,7 @@
 struct nb_cell {
   struct nb_vec centre;          /* the point that the strain does not move, m */
   struct nb_tensor h, initial_h; /* H now and at time 0, m */
+  double strain;                 /* ||L|| dt of the last step */
   /* L H in the last step, m/s: L H m is the velocity of the image at x + H m minus that of the particle at x. */
   struct nb_tensor image_velocity;
   struct nb_tensor deformation; /* F since the last search, 1 */

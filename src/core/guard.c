@@ -6,6 +6,10 @@
  *   rotation      no wall rotates so far in one step that the arc of its far end departs from the chord by more than
  *                 the smallest radius r: angle^2 h/8 <= r, where h is the larger of r and the bound
  *                 |h0| + max(|h1|, |h2|) of the distance from the centre of rotation to the far end (walls.h)
+ *   translation   no wall moves by more than 1e9 r in one step: its place before the step, which walls.c computes from
+ *                 its place after it, then has an error of at most 1e9 r 2^-52 < 1e-6 r
+ *   strain        no periodic cell is strained by more than ||L|| dt = 1/2 in one step: the strain then moves two
+ *                 touching particles of radius R by at most R relative to each other, and the cell cannot invert
  *
  * The first two guards prevent two particles from passing through each other. A step begins with a distance d >=
  * max(R_i, R_j), and the two particles approach by at most R_i + R_j. If one passed through the other, their distance
@@ -79,14 +83,44 @@ static enum nb_status check_rotation(const struct nb_model *model, size_t w, str
                       model->previous_step, s, model->search.smallest_radius, m);
 }
 
+/* Largest displacement of a wall in one step, in smallest radii, and largest strain of a cell in one step. */
+static const double largest_translation = 1e9, largest_strain = 0.5;
+
+static enum nb_status check_translation(const struct nb_model *model, size_t w, struct nb_error *error) {
+  const double displacement = vec_length(model->walls.velocity[w]) * model->previous_step;
+  if (!(displacement > largest_translation * model->search.smallest_radius))
+    return NB_OK;
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
+  return nb_error_set(error, NB_BROKEN,
+                      "wall `%s` (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s and may "
+                      "have passed through a particle. The limit is %g times the smallest radius, %g%s. Try a smaller "
+                      "step or a lower velocity",
+                      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s,
+                      displacement, m, model->previous_step, s, largest_translation, model->search.smallest_radius, m);
+}
+
+static enum nb_status check_cell(const struct nb_model *model, struct nb_error *error) {
+  if (!model->cell || !(model->cell->strain > largest_strain))
+    return NB_OK;
+  const char *s = nb_unit(model->scene, " s");
+  return nb_error_set(
+      error, NB_BROKEN,
+      "the periodic cell (line %d): in cycle %lu, at time %g%s, it was strained by %g %% in one step of "
+      "%g%s. The limit is %g %%: beyond this limit particles may pass through each other. Try a smaller "
+      "step or a lower strain rate",
+      model->scene->cell.line, model->cycle, model->time, s, 100 * model->cell->strain, model->previous_step, s,
+      100 * largest_strain);
+}
+
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
-  enum nb_status status = NB_OK;
   if (!(model->search.skin < INFINITY))
     return NB_OK; /* no particle can touch anything */
+  enum nb_status status = check_cell(model, error);
   for (size_t k = 0; k < model->particles.count && !status; k++)
     status = check_displacement(model, model->particles.slot[k], error);
   for (size_t w = 0; w < model->walls.count && !status; w++)
-    status = check_rotation(model, w, error);
+    if (!(status = check_translation(model, w, error)))
+      status = check_rotation(model, w, error);
   return status;
 }
 

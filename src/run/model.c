@@ -142,14 +142,15 @@ static bool make_material_pairs(struct nb_model *model) {
 
 /* The skin of the neighbour list, m: the value of the page, or else a tenth of the mean radius. With a tenth, searches
  * are rare and most listed pairs touch. The skin is infinite if all particles are fixed, or if there is only one
- * particle and no wall, because then no search is needed. */
+ * particle and no wall, because then no search is needed. In a cell one particle could touch its own image, so there
+ * the searches test the width of the cell. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
   bool free = false;
   for (size_t i = 0; i < particles->count; i++)
     sum += particles->radius[i], free = free || particles->inverse_mass[i] > 0;
-  if (!free || particles->count + model->walls.count < 2)
+  if (!model->scene->cell.line && (!free || particles->count + model->walls.count < 2))
     return INFINITY;
   return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)particles->count;
 }
