@@ -760,6 +760,13 @@ sed 's/^segment .*/segment slide shear to 9 N hold normal in 9 steps/' wall.md >
 "$nineball" explain slides.md >out 2>"$why" && sed -n '/^cost/,$p' out | grep -qx '  the time of a step cannot be measured: segment `slide` (line 7), step 1 of 9: a shear force of 1 N cannot be reached; .*'
 result $? 'a contact test that fails in its first step'
 
+# A contact test warns of friction that has no effect, as a scene does; the contact is between two materials, or one and itself.
+for pair in 'disc 1 n:`m` and `n`' 'wall m:`m` and `m`'; do
+  printf '```contact-test\nunits none\nmaterial m kn 1 ks 0 friction 0.3\nmaterial n kn 1 ks 1 friction 0.2\ncontact disc 1 m with %s\nshear linear\nsegment a slip by 1 overlap to 1\n```\n' "${pair%%:*}" >frictionless.md
+  "$nineball" explain frictionless.md >out 2>"$why" && grep -qF "frictionless.md:3: warning: friction between ${pair#*:} has no effect: their shear stiffness \`ks\` is 0" out
+  result $? "a contact test without shear stiffness: ${pair%%:*}"
+done
+
 # The seconds of each run are its cycles times the time of a cycle, plus the rest that is printed; the last line sums the runs. The lattice
 # has 180 contacts. The time of a cycle agrees with that of a run within a factor of 5.
 cat >timed.md <<'END'

@@ -359,8 +359,7 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
     if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* each mistake is reported once */
       check_damping(reading, &stage->damping, now.normal, stage);
   }
-  if (!scene->contact_test)
-    warn_of_stiffnesses(reading);
+  warn_of_stiffnesses(reading);
   warn_no_micro_slip(reading);
 }
 
