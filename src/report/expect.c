@@ -677,6 +677,17 @@ static bool percentage_mistake(struct nb_reader *reader, const struct nb_measure
   return nb_expected(reader, hint, "`of` and a quantity");
 }
 
+/* Takes the other measure of a comparison. Refuses the measure itself, because then the numbers alone decide. */
+static bool take_other_measure(struct nb_reader *reader, const struct nb_scene *scene,
+                               struct nb_expectation *expectation) {
+  const struct nb_token *const token = nb_token_peek(reader);
+  if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
+    return false;
+  return strcmp(expectation->other.label, expectation->measure.label) != 0 ||
+         nb_token_mistake(reader, token, "the result would not depend on the run",
+                          "expected another measure than `%s` itself", expectation->measure.label);
+}
+
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
   const struct nb_token *const token = nb_token_peek(reader);
@@ -691,7 +702,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
       return false;
     if (!nb_token_skip(reader, "of"))
       return percentage_mistake(reader, &expectation->measure, expectation->number);
-    if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
+    if (!take_other_measure(reader, scene, expectation))
       return false;
   } else if (is_before(reader, "*")) {
     reader->next++;
@@ -750,7 +761,7 @@ static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, s
     comparison.value = expectation->number;
     return nb_comparison_is_open(reader, &comparison, "an expectation");
   }
-  return take_measure_like(reader, scene, expectation->measure.unit, &expectation->other);
+  return take_other_measure(reader, scene, expectation);
 }
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
