@@ -58,6 +58,13 @@ echo '```' >>"$pages/made.md"
 "$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(particles "$pages/heap.state" | wc -l)" -eq 51
 result $? 'a state is written'
 
+# A message on a particle of a state names the line of `packing`.
+printf '```scene\nunits none\nnormal hertz\nmaterial rock density 1 young 1 poisson 0.3\npacking nine.state\nrecord time\nstep 1\nstage go\ncycles 1\n```\n' >"$pages/elastic.md"
+cp "$work/nine.state" "$pages"
+"$nineball" explain "$pages/elastic.md" >/dev/null 2>"$work/said"
+grep -q '/elastic.md:5:1: error: expected spheres for `normal hertz`, found a disc' "$work/said"
+result $? 'the line of a particle of a state'
+
 # taken NAME LINE: runs a page with this packing for one cycle, so short that no bit of a position changes, and lists
 # its particles.
 taken() {

@@ -1118,6 +1118,7 @@ verdict '--set: a value, the step, a law, an unknown name'
 # ---- a path from a file ----
 printf 'approach/um\tslip/m\tnote\n# out\n1\t0\ta\n\n1\t1e-7\tb\n2\t-1e-7\tc\n' >path.tsv
 run 0 run "$pages/contact-test.md" -o path
+quiet said # no note on checkpoints, which nobody asked for
 out '1 of 1 checks passed'
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the segments of the page were not followed' >>why
 there path/press-traction.tsv
