@@ -342,12 +342,15 @@ C.normal min  expected -1 mN within 10 % [cohesion]
 C.normal min  expected 1 mN within 10 % [a guess]
 C.shear min   expected -1 mN within 10 % [a guess]
 C.normal min  below -1 mN
+C.normal min  above -1 mN
 ```
 END
 run 0 explain cohesive.md
 said 'cohesive.md:15: warning: `C.normal` is 0 or more with all laws of nineball: there are no bonds and no tension, and `cohesion`'
 said 'cohesive.md:18: warning: `C.normal` is 0 or more'
-test "$(grep -c 'warning' said)" -eq 2 || echo 'not two warnings' >>why
+said 'cohesive.md:19: warning: `C.normal` is 0 or more with all laws of nineball: there are no bonds and no tension, and `cohesion` in `material` is added to the limit of the shear force. So this expectation always holds'
+test "$(grep -c 'always holds' said)" -eq 1 || echo 'another expectation always holds' >>why
+test "$(grep -c 'warning' said)" -eq 3 || echo 'not three warnings' >>why
 verdict 'a warning of a tensile normal force'
 
 cat >rows.md <<'END'

@@ -239,7 +239,7 @@ site_page() {
 mkdir -p whole/sub
 printf '# All & more\n' >whole/README.md
 site_page 'First' '1 4 64' 'D.x increases with v\nD.y expected 1 within 0 [2 - 1]\nreport D.y' >whole/a.md
-site_page 'Second' '1 4 31' 'D.x decreases with v\nD.y constant with v within 0\nD.x above D.x' >whole/sub/b.md
+site_page 'Second' '1 4 31' 'D.x decreases with v\nD.y constant with v within 0\nD.x above D.x max' >whole/sub/b.md
 site_page 'Third' '1' 'D.y above 0' >whole/sub/c.md
 site_page 'Fourth' '1' 'D.x above 0' | sed 's/^step .*/step -1/' >whole/sub/d.md
 site_page 'Fifth' '1' 'D.x above 0\nD.y increases with v' | sed 's/^cycles.*/until D.x above 9 at most 2 cycles/' >whole/sub/e.md
@@ -356,9 +356,9 @@ status 3
 <h1 id="second">Second</h1>
 <details open><summary>Results: 5 checks, 4 failed, 0 noted, 0 skipped</summary>
 <table><thead><tr><th></th><th>expectation</th><th>computed</th><th>reference</th><th>error</th><th>tolerance</th></tr></thead><tbody>
-<tr><td class="fail">FAIL</td><td>D.x above D.x (v=1)</td><td colspan="4">computed 2 and 2</td></tr>
-<tr><td class="fail">FAIL</td><td>D.x above D.x (v=4)</td><td colspan="4">computed 5 and 5</td></tr>
-<tr><td class="fail">FAIL</td><td>D.x above D.x (v=31)</td><td colspan="4">computed 32 and 32</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x above D.x max (v=1)</td><td colspan="4">computed 2 and 2</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x above D.x max (v=4)</td><td colspan="4">computed 5 and 5</td></tr>
+<tr><td class="fail">FAIL</td><td>D.x above D.x max (v=31)</td><td colspan="4">computed 32 and 32</td></tr>
 <tr><td class="fail">FAIL</td><td>D.x decreases with v</td><td colspan="4"><svg class="points" role="img" aria-label="computed 2 at v = 1, 5 at 4, 32 at 31" viewBox="0 0 140 50"><polyline fill="none" points="5.0,45.0 18.0,41.0 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/><circle cx="18.0" cy="41.0" r="2"/><circle cx="135.0" cy="5.0" r="2"/></svg><br>computed 2 at v = 1, 5 at 4, 32 at 31</td></tr>
 <tr><td class="pass">pass</td><td>D.y constant with v within 0</td><td colspan="4"><svg class="points" role="img" aria-label="computed 1 at v = 1, 1 at 4, 1 at 31, largest difference 0, tolerance 0" viewBox="0 0 140 50"><polyline fill="none" points="5.0,25.0 18.0,25.0 135.0,25.0 "/><circle cx="5.0" cy="25.0" r="2"/><circle cx="18.0" cy="25.0" r="2"/><circle cx="135.0" cy="25.0" r="2"/></svg><br>computed 1 at v = 1, 1 at 4, 1 at 31, largest difference 0, tolerance 0</td></tr>
 </tbody></table></details>
