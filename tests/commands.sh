@@ -444,6 +444,12 @@ $ check
 $ state
 ! nineball: `nineball state` needs a page, such as cases/3-nine-discs/nine-discs.md; see nineball --help
 = 2
+$ list chain
+! nineball: `nineball list` takes no page, found `chain`; see nineball --help
+= 2
+$ laws hertz linear
+! nineball: `nineball laws` takes no page, found `hertz`; see nineball --help
+= 2
 $ check good.md --threads 257
 ! nineball: expected a number from 1 to 256 after --threads, found `257`; see nineball --help
 = 2
@@ -931,11 +937,13 @@ $ advise --all wrong.md refine.md -o all
 !     5 | allow nothing
 !       |       ^~~~~~~
 !   hint: for example `allow     unstable`
+! refine.md:5: warning: no line uses `$refine`: write `$refine` where the value belongs
 = 2
 $ advise --all refine.md wrong.md -o all
   1 of 2, refine: 1 searches, 0 with advice; about T left
   2 of 2, wrong: 0 searches, 0 with advice
   1 searches, 0 with advice, 1 of them from an earlier call; look at all/trades.tsv
+! refine.md:5: warning: no line uses `$refine`: write `$refine` where the value belongs
 ! wrong.md:5:7: error: expected `unstable`, found `nothing`
 !     5 | allow nothing
 !       |       ^~~~~~~

@@ -94,24 +94,6 @@ static void straining_reduces_the_travel_limit(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* cell.c, nb_cell_move: particles that cannot touch need no search, however far the cell is strained. */
-static void without_contacts_there_is_no_search(void) {
-  struct words words = {0};
-  struct written it;
-  struct nb_error error;
-  words_add(&words,
-            "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 0.5 m fixed\ndisc 1 5 radius 0.5 m fixed\n"
-            "periodic cell 0 0 to 9 9\nstep 0.01\nstage s\ncell strain 0.3 0.1\ncycles 9\n");
-  written_scene(&it, &words);
-  struct nb_model *model = written_model(&it, NULL);
-  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
-  written_cycles(model, 9);
-  CU_ASSERT_EQUAL(model->cell->travel_limit, INFINITY);
-  CU_ASSERT_EQUAL(model->search.last_cycle, 0);
-  CU_ASSERT(model->cell->h.xx > 9.2); /* the cell is strained nevertheless */
-  nb_model_free(model), written_free(&it);
-}
-
 /* boundary.c, detach: a particle that a boundary releases under `rotation off` does not rotate, although its contact
  * has friction. */
 static void released_particles_do_not_rotate_under_rotation_off(void) {
@@ -252,7 +234,6 @@ void suite_edges(void) {
   CU_ADD_TEST(suite, a_count_may_be_rounded);
   CU_ADD_TEST(suite, a_cell_stays_wide_enough_or_not);
   CU_ADD_TEST(suite, straining_reduces_the_travel_limit);
-  CU_ADD_TEST(suite, without_contacts_there_is_no_search);
   CU_ADD_TEST(suite, released_particles_do_not_rotate_under_rotation_off);
   CU_ADD_TEST(suite, fixed_particles_are_no_part_of_a_boundary);
   CU_ADD_TEST(suite, a_servo_of_the_box_does_not_strain_a_boundary);

@@ -978,15 +978,16 @@ static void warnings_of_the_imposed_work(void) {
   }
 }
 
-/* A sweep of which no line uses a name makes equal runs. */
-static void sweeps_that_no_line_uses(void) {
+/* A name that no line uses has no effect. A sweep of which no line uses a name makes equal runs. */
+static void names_that_no_line_uses(void) {
   static const struct {
     const char *sweep, *step, *expectation, *setting,
-        *unused; /* unused: the first names of the sweeps with a warning */
+        *unused; /* unused: the names, and the first names of the sweeps, with a warning */
   } cases[] = {
       {"sweep h 1e-3 2e-3", "step $h", "time above 0", NULL, ""},
       {"sweep h 1e-3 2e-3", "step (2*h)", "time above 0", NULL, ""},
-      {"sweep h 1e-3 2e-3\nlet g = h", "step 1e-3", "time above 0", NULL, ""},
+      {"sweep h 1e-3 2e-3\nlet g = h", "step 1e-3", "time above 0", NULL, "g"},
+      {"sweep h 1e-3 2e-3\nlet g = h", "step $g", "time above 0", NULL, ""},
       {"sweep step 1e-3 2e-3", "step 1e-3", "time above 0", NULL, "step"},
       {"sweep h 1e-3 2e-3", "step 1e-3", "time below (h + 1)", NULL, ""},
       {"sweep h 1e-3 2e-3", "step 1e-3", "time constant with h within 1 %", NULL, "h"},
@@ -997,7 +998,12 @@ static void sweeps_that_no_line_uses(void) {
       {"sweep k 1 2\nsweep h 1e-3 2e-3", "step $h", "time above 0", NULL, "k"},
       {"sweep k 1 2\nsweep h 1e-3 2e-3", "step 1e-3", "time above 0", NULL, "kh"},
       {"sweep k 1 2", "step 1e-3", "time above 0", "k=1", ""}, /* one run */
-      {"let k = 1", "step 1e-3", "time above 0", NULL, ""},
+      {"sweep k with h 1 1e-3 2 2e-3", "step $h", "time above 0", "k=1", ""},
+      {"let k = 1", "step 1e-3", "time above 0", NULL, "k"},
+      {"let k = 1", "step 1e-3", "time above 0", "k=2", "k"},
+      {"let k = 1", "step 1e-3", "time below $k", NULL, ""},
+      {"let k = 1e-3\nlet h = 1e-3", "step $h", "time above 0", NULL, "k"},
+      {"let k = 1e-3\nlet h = 1e-3", "step $k", "time above 0", NULL, "h"},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     static const char before[] = "no line uses `$";
@@ -1495,7 +1501,7 @@ void suite_outcome(void) {
   CU_ADD_TEST(suite, tracked_columns);
   CU_ADD_TEST(suite, warnings_of_tension);
   CU_add_test(suite, "warnings of an imposed work that is 0", warnings_of_the_imposed_work);
-  CU_add_test(suite, "sweeps that no line uses", sweeps_that_no_line_uses);
+  CU_add_test(suite, "names that no line uses", names_that_no_line_uses);
   CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);
   CU_ADD_TEST(suite, overshoot_of_a_weight);
   CU_add_test(suite, "collisions between two rows", collisions_between_rows);

@@ -52,8 +52,6 @@ int nb_cell_move(struct nb_model *model) {
   cell->strain = tensor_size(step);
   cell->image_velocity = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
-  if (!(model->search.skin < INFINITY))
-    return 0; /* there is no search */
   cell->deformation = tensor_add(cell->deformation, tensor_product(step, cell->deformation));
   const struct nb_tensor change = tensor_sub(cell->deformation, one);
   const double left = model->search.skin - tensor_size(change) * (2 * cell->largest_radius + model->search.skin);

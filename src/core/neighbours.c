@@ -399,7 +399,7 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
     return error->status;
   struct nb_neighbour_pairs pairs = {0};
   const bool searching = model->search.skin < INFINITY;
-  if (model->cell && searching && nb_cell_check_width(model, error))
+  if (model->cell && nb_cell_check_width(model, error))
     return error->status;
   model->search.check_walls = model->search.check_pairs = false;
   model->search.too_deep.overlap = 0;

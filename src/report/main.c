@@ -332,6 +332,8 @@ static enum nb_status run_command(struct nb_call *call, const char *word) {
     }
   if (command >= 0 && commands[command].arguments[0] && call->page_count == 0 && !call->all)
     return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
+  if (command >= 0 && !commands[command].arguments[0] && call->page_count > 0)
+    return usage("`nineball %s` takes no page, found `%s`", word, call->pages[0]);
   if (command >= 0) {
     catch_signals(call);
     return commands[command].run(call);

@@ -286,11 +286,14 @@ static bool is_sweep_used(const struct nb_scene *scene, int sweep) {
   return used;
 }
 
-/* Warns of sweeps that no line uses: their runs are equal. */
-static void warn_unused_sweeps(struct nb_outcome *outcome, const struct nb_scene *scene) {
+/* Warns of a `let` that no line uses, and of a `sweep`, because its runs are equal. */
+static void warn_unused_names(struct nb_outcome *outcome, const struct nb_scene *scene) {
   for (size_t k = 0; k < scene->binding_count && outcome->mistakes.total == 0; k++) {
     const struct nb_binding *const it = &scene->bindings[k];
     const bool first = k == 0 || scene->bindings[k - 1].sweep != it->sweep;
+    if (it->sweep < 0 && !it->used)
+      nb_warn(&outcome->warnings, it->line, "no line uses `$%s`: write `$%s` where the value belongs", it->name,
+              it->name);
     if (it->swept && first && !is_sweep_used(scene, it->sweep))
       nb_warn(&outcome->warnings, it->line,
               "no line uses `$%s`, so the runs of this `sweep` are equal: write `$%s` where the value belongs",
@@ -324,7 +327,7 @@ void nb_outcome_read_runs(struct nb_outcome *outcome, size_t particles_kept) {
     warn_removed(outcome, run);
     warn_imposed(outcome, run);
     if (r == 0)
-      warn_unused_sweeps(outcome, &run->scene);
+      warn_unused_names(outcome, &run->scene);
     particles += run->scene.particle_count;
     if (particles > particles_kept)
       release_particles(run);
