@@ -80,12 +80,18 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
     given->of.global_kind = take_con1(reader);
 }
 
-/* `--set damping=centred` or `--set damping=late` overrides the same words of the page. */
 static void take_setting(struct nb_reader *reader, struct given *given) {
   reader->otherwise = "to set another kind from here, give its value a name in the page, `let zeta = 0.1` and `damping "
                       "ratio $zeta`, then write `--set zeta=0.2`";
   const int word = nb_take_choice(reader, "centred|late");
   given->timing = word >= 0, given->centred = word == 0;
+}
+
+/* `--set damping=centred` or `--set damping=late` overrides the same words of the page. */
+static void take_given(const struct nb_scene_reading *reading, struct nb_reader *reader, struct given *given) {
+  const bool setting = reader == &reading->setting;
+  (setting ? take_setting : take_damping)(reader, given);
+  given->timing = given->timing && (setting || nb_setting_find(reading, "damping") == 0);
 }
 
 /* A page may give five settings, with one statement each: the damping of all contacts, of contacts with walls, of deep
@@ -98,9 +104,7 @@ NB_APPLY(apply_damping) {
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
   const int line = (int)reader->line, stage_line = stage ? stage->line : 0;
   struct given given = {0};
-  (reader == &reading->setting ? take_setting : take_damping)(reader, &given);
-  if (reader != &reading->setting && nb_setting_find(reading, "damping") > 0)
-    given.timing = false;
+  take_given(reading, reader, &given);
   const struct {
     const char *name;
     bool given;
