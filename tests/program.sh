@@ -209,7 +209,7 @@ disc      315 mm 0 mm  radius 10 mm  m
 wall      floor  -20 mm 0 mm  to 20 mm 0 mm  m
 wall      blade  0 m 1 m  to 1 m 1 m  m  spin 1 rad/s
 wall      gate   0 m 2 m  to 1 m 2 m  m
-wall      fan    0 m 3 m  to 1 m 3 m  m  about 0 m 3 m  spin 1 rad/s
+wall      fan    0 m 3 m  to 1 m 3 m  m  about (0*(a + b + c)) 3 m  spin 1 rad/s
 region    A  all
 step      1 us
 record    A.porosity
