@@ -878,8 +878,14 @@ static void warnings_of_tension(void) {
       {"R.stress.xx above -1", NULL},
       {"R.stress.xx expected -1 of R.stress.yy within 9 [t]", NULL},
       {"R.stress.xx below R.stress.yy", NULL},
+      {"R.stress.yy below -1", stress},
+      {"R.stress.mean expected -1 within 9 [t]", stress},
+      {"R.stress.major below -1", stress},
+      {"R.stress.minor below -1", stress},
       {"C.normal expected -1 within 9 [t]", force},
       {"C.normal below -1", force},
+      {"C.normal above -1", force},
+      {"C.normal above C.shear", NULL},
       {"C.normal expected 0 within 9 [t]", NULL},
       {"C.normal expected 1 within 9 [t]", NULL},
       {"C.normal below 0", NULL},
@@ -894,7 +900,9 @@ static void warnings_of_tension(void) {
     write_page(path,
                "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"
                "monitor C disc 1 with disc 2\nregion R all\nstep 0.001\n"
-               "record C.normal C.shear R.stress.xx R.stress.yy R.stress.xy\nstage one\ncycles 1",
+               "record C.normal C.shear R.stress.xx R.stress.yy R.stress.xy R.stress.mean R.stress.major "
+               "R.stress.minor\nstage "
+               "one\ncycles 1",
                rows[k].expectation);
     nb_outcome_read(&outcome, path, NULL);
     unlink(path);

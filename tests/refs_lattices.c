@@ -357,16 +357,19 @@ static void lattice_moduli(void) {
 #undef LATTICE
 #undef SHEARED
 #undef MOVING
-  /* Strains add up, also if a stage keeps the rate of the one before. Without friction there is no k_s. */
+  /* Strains add up, also if a stage keeps the rate of the one before. Without friction there is no k_s. The cell with
+   * friction is wide, the other one is high. */
   for (int hexagonal = 0; hexagonal < 2; hexagonal++)
     for (int friction = 0; friction < 2; friction++) {
+      const int nx = friction ? 8 : 4, ny = friction ? 4 : 10;
       char page[1024];
-      snprintf(page, sizeof page,
-               "material a density 1 kn 9 ks 4 friction %d\nnormal linear\nshear linear\n"
-               "lattice spheres 4 by 4 %s from 1 1 radius 1 spacing 1.95 a\nperiodic cell 0 0 to 7.8 %.17g\nstep 0.1\n"
-               "stage s\ncell strain -1e-3 per cycle -2e-3 per cycle shear 3e-4 per cycle\ncycles 2\n"
-               "stage t\ncycles 3\nstage u\ncell strain 1e-2 4e-2 shear -5e-2\ncycles 4\n",
-               friction, hexagonal ? "hexagonal" : "", 7.8 * (hexagonal ? sqrt(0.75) : 1));
+      snprintf(
+          page, sizeof page,
+          "material a density 1 kn 9 ks 4 friction %d\nnormal linear\nshear linear\n"
+          "lattice spheres %d by %d %s from 1 1 radius 1 spacing 1.95 a\nperiodic cell 0 0 to %.17g %.17g\nstep 0.1\n"
+          "stage s\ncell strain -1e-3 per cycle -2e-3 per cycle shear 3e-4 per cycle\ncycles 2\n"
+          "stage t\ncycles 3\nstage u\ncell strain 1e-2 4e-2 shear -5e-2\ncycles 4\n",
+          friction, nx, ny, hexagonal ? "hexagonal" : "", 1.95 * nx, 1.95 * ny * (hexagonal ? sqrt(0.75) : 1));
       const double kn = 9. / 2, ks = friction * 4. / 2, b = sqrt(3) / 4, first = kn * 0.05 / 1.95; /* 2R = 2 thick */
       const double along = hexagonal ? b * (3 * kn + ks) : kn, across = hexagonal ? b * (kn - ks) : 0,
                    turned = hexagonal ? along - across : ks, rest = hexagonal ? 4 * b * first : first;
