@@ -326,6 +326,13 @@ static void lattice_waves(void) {
       {LATTICE("5.85", "5.8501", "3 by 3 from 1 1 radius 1 spacing 1.95"), NEAREST},
       {CELL_OF("5.85", "5.85", "1e9") EIGHT "disc 4.9 4.9 radius 1 a\nmonitor D disc 2\nstep 0.1\nstage s\ncycles 1\n",
        SINE});
+  /* Without rotation a wave along x with displacements in y grows if k_s < F/s = 9*0.05/1.95 = 0.23077. */
+  PARTS("lattice_waves",
+        "material a density 1 kn 9 ks @ friction 1e9\nnormal linear\nshear linear\nperiodic cell 0 0 to 5.85 5.85\n"
+        "lattice discs 3 by 3 from 1 1 radius 1 spacing 1.95 a\nperturb wave 1e-3 2e-3 periods 1 0\nmonitor D disc 2\n"
+        "step 0.1\nstage s\nrotation off\ncycles 1\n",
+        {"0.2308", NULL},
+        {"0.2307", "a stable lattice: this wave grows, because k_s is too small for the force of the contacts"});
 #undef NINTH
 #undef NEAREST
 #undef SINE

@@ -51,6 +51,9 @@ static void add_contacts(gsl_matrix *k, const struct waves_lattice *it, double a
     add(k, 2, 2, 2 * it->ks * it->radius * it->radius * (1 + cos(phi)));
 }
 
+/* A negative square of a frequency up to this fraction of the largest one is a rounding error of 0. */
+static const double least_square = 1e-9;
+
 struct waves_modes waves_modes(const struct waves_lattice *it, double qx, double qy) {
   struct waves_modes modes = {.count = it->rotates ? 3 : 2};
   const size_t n = (size_t)modes.count;
@@ -67,7 +70,8 @@ struct waves_modes waves_modes(const struct waves_lattice *it, double qx, double
     gsl_matrix_set_all(shape, NAN);
   gsl_eigen_symmv_sort(square, shape, GSL_EIGEN_SORT_VAL_ASC);
   for (size_t m = 0; m < n; m++) {
-    modes.omega[m] = sqrt(fmax(gsl_vector_get(square, m), 0));
+    const double of_mode = gsl_vector_get(square, m);
+    modes.omega[m] = of_mode < -least_square * gsl_vector_get(square, n - 1) ? NAN : sqrt(fmax(of_mode, 0));
     for (size_t i = 0; i < n; i++) {
       modes.shape[m][i] = gsl_matrix_get(shape, i, m) / root[i];
       modes.weight[m][i] = gsl_matrix_get(shape, i, m) * root[i];
@@ -199,6 +203,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (read_wave(&wave, scene, error))
     return error->status;
   const struct waves_modes modes = waves_modes(&wave.lattice, wave.qx, wave.qy);
+  for (int k = 0; k < modes.count; k++)
+    if (isnan(modes.omega[k]))
+      return refuse(error, "a stable lattice: this wave grows, because k_s is too small for the force of the contacts");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE)

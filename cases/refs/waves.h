@@ -17,7 +17,7 @@ struct waves_lattice {
 enum { WAVES_MODES = 3 };
 struct waves_modes {
   int count;                               /* 3, or 2 without rotation */
-  double omega[WAVES_MODES];               /* rad/s, ascending */
+  double omega[WAVES_MODES];               /* rad/s, ascending; NAN: the wave grows */
   double shape[WAVES_MODES][WAVES_MODES];  /* shape[k]: displacements u_x, u_y and rotation psi in mode k */
   double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: amplitude of mode k per unit of velocity i */
 };
