@@ -320,6 +320,7 @@ static void rotation_of_a_stage(void) {
        {false, true, false}},
       {"disc 1 1 radius 1 m spin 1\nstage a\ncycles 2\nstage b\nrotation off\ncycles 2\n", true, {true, false}},
       {"disc 1 1 radius 1 m spin 1 fixed\nstage a\nrotation off\ncycles 2\n", true, {true}},
+      {"disc 1 1 radius 1 m spin -1\nstage a\ncycles 2\n", true, {true}},
   };
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     struct words page = {0};

@@ -239,6 +239,20 @@ static void warnings_of_ends(void) {
   }
 }
 
+/* Of two stages that end at their first check, only the condition of the first one was met before it began. */
+static void warnings_of_ends_of_two_stages(void) {
+  struct nb_outcome outcome;
+  carry_out(&outcome,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\ndisc 5 0 radius 1 m velocity 1 0\n"
+            "monitor A disc 2\nrecord time A.x\nstep 0.1\nstage one\nuntil A.x above 4 at most 4 cycles\nstage two\n"
+            "until time above 0.15 at most 4 cycles",
+            "report A.x", NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
+  CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, "stage `one` ended in cycle 1, because its condition"));
+  nb_outcome_free(&outcome);
+}
+
 /* A region without a particle, at the start or at the end of a stage, causes a warning. So does a region without a
  * contact if its stress or a mean over its contacts is recorded. A negative porosity or void ratio causes a warning, too;
  * here they are -0.0521 and -0.0495, from the areas of the circles. Other regions cause no warning. */
@@ -1488,6 +1502,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_ADD_TEST(suite, notes_of_other_laws);
   CU_add_test(suite, "warnings of stages that end too early", warnings_of_ends);
+  CU_add_test(suite, "ends of two stages", warnings_of_ends_of_two_stages);
   CU_add_test(suite, "warnings of stages that end too early propose a condition", warnings_of_ends_propose);
   CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",
               warnings_of_regions);
