@@ -203,7 +203,7 @@ static void friction_and_cohesion(void) {
 }
 
 /* The disc between plates of other frictions and of the shear stiffnesses 6 and 4. Without sliding the shear forces t of
- * the plates are equal, so that nothing turns the disc: t/6 + t/4 = 2 (0.001 - 2 t/7.5), t = 0.14 n. A plate of less
+ * the plates are equal, so no moment acts on the disc: t/6 + t/4 = 2 (0.001 - 2 t/7.5), t = 0.14 n. A plate of less
  * friction slides, and the shear force at the other one is as large. */
 #define PLATES(low, high, stop, stages)                                                                                \
   "material d density 1 kn 10 ks 4 friction 0.95\nmaterial p kn 30 ks 12 friction " low                                \

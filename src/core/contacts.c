@@ -34,7 +34,8 @@ static void keep_doubles(double now[], const double old[], const int from[], siz
 
 /* The fields that a contact takes over from the old list. If forces are kept, these are all except M*. M* changes when a
  * particle becomes part of a boundary, because the mass of the particle is then infinite. The roots that contain M* are
- * computed again in each new block (pass/dashpots.c). If forces are not kept, these are the values of the last step that the energy balance reads. */
+ * computed again in each new block (pass/dashpots.c). If forces are not kept, these are the values of the last step
+ * that the energy balance reads. */
 static unsigned fields_that_stay(const struct nb_model *model) {
   if (model->search.keep_forces)
     return (NB_BIT(NB_FIELDS) - 1) & ~NB_BIT(NB_MASS);

@@ -237,12 +237,16 @@ static void warn_of_tension(struct nb_scene *scene, const struct nb_expectation 
             column->name, it->kind == NB_GREATER ? ". So this expectation always holds" : "");
 }
 
+/* True if the expectation compares a value with a number, and not with another measure. */
+static bool is_with_number(const struct nb_expectation *it) {
+  return (it->kind == NB_EXPECTED && !it->has_scale) || it->has_number;
+}
+
 /* Warns of a strain of a cell or a box that is compared with a number in a page with `start`. */
 static void warn_of_origin(struct nb_scene *scene, const struct nb_expectation *it) {
   const char *const name = scene->columns[it->measure.column].name, *const dot = strrchr(name, '.');
   const bool cell = strncmp(name, "cell.strain.", 12) == 0, box = strncmp(name, "box.strain.", 11) == 0;
-  const bool number = (it->kind == NB_EXPECTED && !it->has_scale) || it->has_number;
-  if (scene->start.stages == 0 || !number || !(cell || box))
+  if (scene->start.stages == 0 || !is_with_number(it) || !(cell || box))
     return;
   nb_warn(
       &scene->warnings, it->line,
@@ -264,12 +268,10 @@ static bool warn_of_stresses(struct nb_page_run *run) {
     const struct nb_column *column = &scene->columns[it->measure.column];
     const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
     warn_of_origin(scene, it);
-    const bool compared = (it->kind == NB_LESS || it->kind == NB_GREATER) && it->has_number;
-    const bool number = compared || (it->kind == NB_EXPECTED && !it->has_scale);
-    if (number && it->kind != NB_GREATER)
+    if (is_with_number(it) && it->kind != NB_GREATER)
       nb_tension_warn(scene, &column->quantity, column->name, it->kind == NB_LESS ? "below" : "expected", it->number,
                       it->line);
-    if (number)
+    if (is_with_number(it))
       warn_of_tension(scene, it);
     if (it->kind == NB_EXPECTED && !it->has_scale &&
         !nb_servo_compare(scene, stage, column->quantity, column->name, "expectation", it->line))

@@ -142,8 +142,8 @@ static bool make_material_pairs(struct nb_model *model) {
 
 /* The skin of the neighbour list, m: the value of the page, or else a tenth of the mean radius. With a tenth, searches
  * are rare and most listed pairs touch. The skin is infinite if all particles are fixed, or if there is only one
- * particle and no wall, because then no search is needed. In a cell there are always
- * searches: they test its width, because a single particle could touch its own image. */
+ * particle and no wall, because then no search is needed. In a cell there are always searches: they test its width,
+ * because a single particle could touch its own image. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
