@@ -131,16 +131,24 @@ static void steep_zigzags_are_refused(void) {
 #define FIELD                                                                                                          \
   "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 8 0 radius 3 a\nregion R circle 0 0 radius 9\n"          \
   "step 0.1 of rayleigh-fit-mean\nrecord R.unbalanced.force\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle"
-#define COHESIVE                                                                                                       \
-  "normal linear\nshear linear\ndisc 0 1 radius 1 a\nwall low -4 0 to 4 0 a\nwall high -4 2 to 4 2 a\n"                \
-  "wall stop 1 0.5 to 1 1.5 b\nmonitor L disc 1 with wall low\nstep 0.1\n"                                             \
+/* A disc between two plates with these ends, and a stop that begins at this y. */
+#define PLATES(low, high, stop)                                                                                        \
+  "normal linear\nshear linear\ndisc 0 1 radius 1 a\nwall low " low " a\nwall high " high " a\n"                       \
+  "wall stop 1 " stop " to 1 2.5 smooth\nmonitor L disc 1 with wall low\nstep 0.1\n"                                   \
   "stage press\nwall high velocity 0 -0.001\ncycles 10\n"
+#define LOW "-4 0 to 4 0"
+#define HIGH "-4 2 to 4 2"
+#define COHESIVE PLATES(LOW, HIGH, "0.5")
+#define DRAG_AND_PART                                                                                                  \
+  "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 0\ncycles 10\n"                                     \
+  "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n"
 #define SQUEEZE "step 0.05 of single-contact\nstage s\nbox strain 0 per cycle -1e-4 per cycle\ncycles 10\n"
 
 /* Scenes whose features a reference accepts, but whose particles or regions its formulas do not cover. */
 static void uncovered_particles_and_regions_are_refused(void) {
   static const char head[] = "units none\nmaterial a density 1 kn 9 ks 9 young 1e6 poisson 0.2 friction 0.5\n"
-                             "material b density 1 kn 9 ks 9 young 2e6 poisson 0.2 friction 0.5\n";
+                             "material b density 1 kn 9 ks 9 young 2e6 poisson 0.2 friction 0.5\n"
+                             "material smooth kn 9\n";
   static const struct {
     const char *reference, *page;
     const char *refused, *missing; /* a part of the message, or the name of a value that the solution lacks */
@@ -156,6 +164,11 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 0\ncycles 10\n"
        "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
        "neither friction nor cohesion", NULL},
+      {"cohesion", COHESIVE DRAG_AND_PART, NULL, "R.normal"},
+      {"cohesion", PLATES("-0.0005 0 to 4 0", HIGH, "0.5") DRAG_AND_PART, "press, shear and then leave", NULL},
+      {"cohesion", PLATES(LOW, "-0.0005 2 to 4 2", "0.5") DRAG_AND_PART, "press, shear and then leave", NULL},
+      {"cohesion", PLATES(LOW, "-4 2 to -0.0005 2", "0.5") DRAG_AND_PART, "press, shear and then leave", NULL},
+      {"cohesion", PLATES(LOW, HIGH, "1.5") DRAG_AND_PART, "press, shear and then leave", NULL},
       {"cohesion",
        COHESIVE "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 -0.001\ncycles 10\n"
                 "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",

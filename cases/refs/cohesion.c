@@ -16,8 +16,8 @@
  * Accepts one free disc. The first two walls lie along x, one below and one above the disc, and just touch it. The
  * third wall lies along y, just touches the disc in the direction of the shear, and has neither friction nor cohesion.
  * The stages are, in this order: some that move the second wall only, one that moves the first two walls equally along
- * x, one that moves the second wall away; between them, any number that move nothing. Error: inertia is neglected; its
- * effect is small when the motion is slow.
+ * x, one that moves the second wall away; between them, any number that move nothing. The disc stays between the ends
+ * of the plates. Error: inertia is neglected; its effect is small when the motion is slow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -40,6 +40,17 @@ static bool just_touch(const struct nb_scene *scene) {
   const double r = disc->radius;
   return low->ey == 0 && high->ey == 0 && stop->ex == 0 && fabs(disc->y - low->y - r) < 1e-9 * r &&
          fabs(high->y - disc->y - r) < 1e-9 * r && fabs(fabs(stop->x - disc->x) - r) < 1e-9 * r;
+}
+
+/* Whether the disc stays between the ends of the plates while they move by `travel`, and faces the stop. The disc moves
+ * by less than the plates. */
+static bool stays_between_ends(const struct nb_scene *scene, double travel) {
+  const struct nb_particle *disc = &scene->particles[0];
+  bool between = single_faces(&scene->walls[2], disc->x, disc->y);
+  for (int w = 0; w < 2; w++)
+    between = between && single_faces(&scene->walls[w], disc->x, disc->y) &&
+              single_faces(&scene->walls[w], disc->x - travel, disc->y);
+  return between;
 }
 
 /* Updates the velocities of the walls. False: the motion is neither that of the second wall alone nor that of both
@@ -75,7 +86,8 @@ static bool read_stages(struct loading *loading, const struct nb_scene *scene) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct loading loading = {0};
-  if (scene->particle_count != 1 || scene->wall_count != 3 || !just_touch(scene) || !read_stages(&loading, scene))
+  if (scene->particle_count != 1 || scene->wall_count != 3 || !just_touch(scene) || !read_stages(&loading, scene) ||
+      !stays_between_ends(scene, loading.travel))
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `cohesion` is for one disc, a stop, and two plates that press, shear and then leave the disc");
