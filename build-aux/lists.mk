@@ -409,7 +409,7 @@ SUITES = \
   tests/chains.c \
   tests/configuration.c \
   tests/speeds.c \
-  tests/advise.c \
+  tests/advise.c tests/advice.c \
   tests/estimate.c \
   tests/counts.c \
   tests/words.c \
@@ -432,6 +432,7 @@ SHELL_TESTS = \
   tests/commands.sh \
   tests/confine.sh \
   tests/report.sh \
+  tests/advice.sh \
   tests/advise.sh \
   tests/cost.sh \
   tests/rounding.sh \

@@ -57,10 +57,11 @@ void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, 
 static void print_own_options(const struct nb_advice *advice, const char *options) {
   for (size_t k = 0; advice->query->settings[k]; k++) {
     const char *setting = advice->query->settings[k];
-    char text[1024] = "", name[NB_NAME_SIZE], given[sizeof "--set =" + NB_NAME_SIZE];
+    char text[1024] = "", name[NB_NAME_SIZE], plain[sizeof "--set =" + NB_NAME_SIZE], quoted[sizeof plain + 1];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(setting, "="), setting);
-    snprintf(given, sizeof given, "--set %s=", name);
-    if (strcmp(name, "trade") != 0 && !strstr(options, given)) {
+    snprintf(plain, sizeof plain, "--set %s=", name);
+    snprintf(quoted, sizeof quoted, "--set '%s=", name);
+    if (strcmp(name, "trade") != 0 && !strstr(options, plain) && !strstr(options, quoted)) {
       append_setting(text, sizeof text, name, strchr(setting, '=') + 1);
       printf(" %s", text);
     }

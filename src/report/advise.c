@@ -98,8 +98,7 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
     const struct nb_anchor anchor = anchor_of(advice, level, r);
     advice->allowed[r] = advice->tolerance.value * (advice->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(anchor.value));
     /* NaN (0/0) if the value and its uncertainty are 0, because a percentage of 0 allows no error */
-    const double ratio =
-        anchor.uncertainty == 0 && advice->allowed[r] > 0 ? 0 : anchor.uncertainty / advice->allowed[r];
+    const double ratio = anchor.uncertainty / advice->allowed[r];
     if (!isnan(largest) && !(ratio <= largest))
       largest = ratio, *worst = r;
   }
@@ -129,13 +128,13 @@ static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_
 
 static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *error) {
   size_t worst = 0;
-  double ratio = INFINITY;
+  double ratio = 0;
   const int highest = is_mean(advice) ? 1 : NB_LEVEL_HIGH;
   for (advice->anchor = 1; advice->anchor <= highest && run_anchor(advice, advice->anchor); advice->anchor++)
     if ((ratio = anchor_ratio(advice, advice->anchor, &worst)) <= (is_mean(advice) ? 1 : anchor_fraction))
       return NB_OK;
   const struct nb_point *first = &advice->variants[0].points[-NB_LEVEL_LOW];
-  if (isfinite(ratio) || advice->anchor > 1)
+  if (advice->anchor > 1)
     return refuse(advice, ratio, worst, error);
   return nb_error_set(error, NB_FAILED, "the page cannot be run with its own step and with half of it: %.400s",
                       first[0].reason[0]   ? first[0].reason
@@ -189,7 +188,7 @@ static bool add_setting(struct nb_advice *advice, size_t index, int level) {
   for (size_t r = 0; r < advice->runs; r++) {
     double step;
     const double estimated = error_of(&step, advice, nb_point_at(advice, &setting), level, r);
-    const double ratio = estimated == 0 ? 0 : estimated / advice->allowed[r];
+    const double ratio = estimated / advice->allowed[r];
     if (!(ratio <= setting.ratio))
       setting.ratio = ratio, setting.step_ratio = step / advice->allowed[r], setting.worst = r;
   }

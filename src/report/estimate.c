@@ -38,8 +38,6 @@ double nb_estimate_step(double n, double n2, double n4, struct nb_ratios ratios)
   const double d1 = fabs(n - n2) / log2(ratios.first), d2 = fabs(n2 - n4) / log2(ratios.second);
   if (!isfinite(d1) || !isfinite(d2))
     return INFINITY;
-  if (d1 == 0 && d2 == 0)
-    return 0;
   if (!(d2 < d1))
     return no_order_factor * fmax(d1, d2);
   const double order = fmin(fmax(log2(d1 / d2), lowest_order), highest_order), ratio = exp2(order);

@@ -53,7 +53,6 @@ static void set_phase(struct nb_scene *scene, double phase) {
     scene->impact.phase = fmod(scene->impact.phase + phase, 1);
     return;
   }
-  scene->step.value /= 1 + phase_spread * phase;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     scene->stages[s].step.value /= 1 + phase_spread * phase;
 }
