@@ -18,16 +18,17 @@ page bad '' 'D.x expected 1.5 within 0 [a guess]\ntime expected 1 within 0 [two 
 page wrong 'allow nothing' ''
 page ends '' 'D.x above 0' 'until D.x above 9 at most 2 cycles'
 page empty '' ''
+page 'no checks' '' ''
 page noted '' 'report D.x max'
-page skipped 'sweep s 4' 'D.x increases with s'
+page 'a skip' 'sweep s 4' 'D.x increases with s'
 page swept '' 'D.x increases with v\nD.x above 1.25'
 sed 's/^let v = .*/sweep v 0.25 0.5/' swept.md >both.md && mv both.md swept.md
 page spread '' 'D.x expected 1.25 over v [1 + 0.25]\nreport time'
 sed 's/^let v = .*/sweep v 0.25 0.5/' spread.md >both.md && mv both.md spread.md
 page mixed '' 'D.x expected 1.5 within 0 [a guess]\nreport time'
 page late '' 'D.x above 0' 'cycles 2\nstage on\nuntil D.x above 9 at most 2 cycles'
-page drawn '' 'D.x expected 1.5 within 0 [a guess]'
-printf '\n```gnuplot\nplot $table using 2:3\n```\n' >>drawn.md
+page 'two words' '' 'D.x expected 1.5 within 0 [a guess]'
+printf '\n```gnuplot\nplot $table using 2:3\n```\n' >>'two words.md'
 printf '```contact-test\nmaterial m kn 1 MN/m\ncontact disc 1 m m with wall m\nsegment s normal to 1 N in 2 steps\n```\n' >touch.md
 head -c 20 /dev/zero | cat good.md - >zeros.md
 page first '' 'report time\nD.x max expected 1.25 within 0 [1 + 0.25]'
@@ -50,7 +51,7 @@ while IFS= read -r line; do
     } >given
     echo "$line" >>wanted
     diff -u wanted given >"$why"
-    { test $? -eq 0 || { test "$command" = 'figure drawn.md --trust' && ! $drawn; }; }
+    { test $? -eq 0 || { test "$command" = "figure 'two words.md' --trust" && ! $drawn; }; }
     result $? "nineball $command"
     ;;
   *) echo "$line" >>wanted ;;
@@ -128,6 +129,10 @@ $ check empty.md
   empty: Page empty
 ! empty.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run empty.md` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
 = 2
+$ check 'no checks.md'
+  no checks: Page no checks
+! no checks.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run 'no checks.md'` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
+= 2
 $ check noted.md
   noted: Page noted
     note  report D.x max
@@ -135,12 +140,12 @@ $ check noted.md
     1 noted
 ! noted.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
 = 2
-$ check skipped.md
-  skipped: Page skipped
+$ check 'a skip.md'
+  a skip: Page a skip
     1 expectation was not checked:
           line 15: D.x increases with s
           `s` has one value only, so there is nothing to compare
-! skipped.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
+! a skip.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run 'a skip.md'`
 = 2
 $ check spread.md
   spread: Page spread
@@ -221,13 +226,13 @@ $ check noted.md --tap
   # nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
 ! noted.md: error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run noted.md` runs such a page and prints the values of its lines `report`; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`: see `nineball --help expect`
 = 2
-$ check skipped.md --tap
+$ check 'a skip.md' --tap
   1..2
   ok 1 - D.x increases with s # SKIP `s` has one value only, so there is nothing to compare
   # line 15: `s` has one value only, so there is nothing to compare
-  not ok 2 - skipped.md was not checked
-  # nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
-! skipped.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run skipped.md`
+  not ok 2 - a skip.md was not checked
+  # nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run 'a skip.md'`
+! a skip.md: error: nothing was checked, because no expectation of this page could fail; the run itself succeeded: see the notes and reasons above, or use `nineball run 'a skip.md'`
 = 2
 $ check none.md
 ! none.md: error: cannot be read: No such file or directory
@@ -306,14 +311,14 @@ $ run bad.md late.md
   tables are in late.out, up to where the run was stopped
 ! late.md: run aborted: stage `on` (line 13) did not end within 2 cycles: D.x is 1.5 and should be above 9
 = 3
-$ run drawn.md
-  drawn: Page drawn
+$ run 'two words.md'
+  two words: Page two words
     FAIL  D.x expected 1.5 within 0 [a guess]
-          drawn.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
+          two words.md:15: computed 1.25, expected 1.5, error 0.25, tolerance 0
     0 of 1 checks passed
     2 cycles, 0 contact updates, T s
-  tables are in drawn.out
-  to draw the figure: nineball figure drawn.md
+  tables are in two words.out
+  to draw the figure: nineball figure 'two words.md'
 = 1
 $ run empty.md noted.md
   empty: Page empty
@@ -349,9 +354,9 @@ $ figure wrong.md good.md
 !       |       ^~~~~~~
 !   hint: for example `allow     unstable`
 = 2
-$ figure drawn.md --trust
-  look at drawn.out/drawn.svg
-  a check of this page failed: type `nineball check drawn.md`
+$ figure 'two words.md' --trust
+  look at two words.out/two words.svg
+  a check of this page failed: type `nineball check 'two words.md'`
 = 0
 $ figure late.md
   late.md has no `gnuplot` block, so there is no figure
@@ -375,6 +380,11 @@ $ explain none.md good.md >/dev/null
 $ state good.md
   the state at the end of stage `go` is in good-go.state
   a page beside it takes the particles, without velocities and contact histories, with: packing good-go.state
+  a page that continues the run needs no such file: start good stage go
+= 0
+$ state good.md -o good.out/made.state
+  the state at the end of stage `go` is in good.out/made.state
+  a page beside it takes the particles, without velocities and contact histories, with: packing made.state
   a page that continues the run needs no such file: start good stage go
 = 0
 $ state swept.md
@@ -999,7 +1009,8 @@ report D.x
 ```
 
 ```gnuplot
-plot $table_1 using 2:3
+plot $table_1 using 2:3, \
+     $table_2 using 2:3
 ```
 
 ```gnuplot
@@ -1109,8 +1120,9 @@ particle/-	x/m	y/m	radius/m	angle/rad	vx/m/s	vy/m/s	fx/N	fy/N	moment/N.m	spin/ra
 1	1.5	1	0.5	0	0.5	-1	0	0	0	0	0	0
 EOD
 # line 27 of the page:
-plot $table_1 using 2:3
-# line 31 of the page:
+plot $table_1 using 2:3, \
+     $table_2 using 2:3
+# line 32 of the page:
 set title 'It'
 END
 result $? 'the tables of a run, and the script of its figure without gnuplot'
@@ -1172,6 +1184,7 @@ if command -v script >/dev/null; then
   result $? 'the progress of a search on a terminal, and its times'
 
   # A report writes the page that is next. When k pages took more than 2 s, the n - k others take (n - k)/k of this time, here 2 and 1/2.
+  # After 2 s and then every half a second it writes the fraction P of the run, and the rest L of its time: L*P/(100 - P) is the time so far.
   # Of the pages it prints only those that failed, each on a line of its own.
   if command -v pandoc >/dev/null; then
     sed "s/^let n.*/let n = $((2 * cycles))/" slow.md >first.md
@@ -1186,7 +1199,11 @@ if command -v script >/dev/null; then
 |look at site/index.html
 END
     test ! -s out && sed -n 's/.* about \([0-9]*\) s left.*/\1/p' "$why" | tr '\n' ' ' |
-      awk -v whole=$(($(date +%s) - began)) '{ exit !(NF == 2 && $1 >= 4 && $1 <= 4*$2 + 3 && 2*$2 <= whole + 2) }'
+      awk -v whole=$(($(date +%s) - began)) '{ exit !(NF == 2 && $1 >= 4 && $1 <= 4*$2 + 3 && 2*$2 <= whole + 2) }' &&
+      awk -v whole=$(($(date +%s) - began)) '
+        /^first.md, stage a: / { n++; t = $6*$4/(100 - $4); bad += !/^first.md, stage a: [ 0-9][ 0-9][0-9] %, [0-9]+ s left   $/ ||
+          ($4 >= 20 && $4 <= 80 && (t < 1.2 || t > whole + 2)) }
+        END { exit !(n > 0 && n <= 2*whole && !bad) }' "$why"
     result $? 'the progress of a report on a terminal'
   fi
 fi

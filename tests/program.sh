@@ -373,6 +373,9 @@ said 'rows.md:9: warning: table.tsv has 1000001 rows, most of them of stage `lon
 sed 's/^stage long/&\nrecord every 10 cycles/' rows.md >fewer.md
 run 0 run fewer.md -o fewer
 grep 'warning: table' said >>why
+printf '```contact-test\nmaterial m kn 1 MN/m\ncontact disc 1 m m with wall m\nrecord overlap\nsegment s normal to 1 N in 1000000 steps\n```\n' >steps.md
+run 0 run steps.md -o rows
+said 'steps.md:5: warning: table.tsv has 1000001 rows, most of them of stage `s`: write `record every 10 steps` in it'
 rm -rf rows fewer
 verdict 'a warning of a table of a million rows'
 
@@ -1364,6 +1367,12 @@ if command -v gnuplot >/dev/null; then
   grep -q 'a message' drawn/says.svg && echo 'the message is in the figure' >>why
   verdict 'closed standard streams: messages are not written into a figure'
 
+  # Of many messages the first 200 are shown, once for both drawings.
+  sed 's|^plot .*|&\ndo for [i=1:300] { print i }|' "$pages/passes.md" >tree/cases/says.md
+  run 0 figure tree/cases/says.md -o drawn --trust
+  seq 200 | diff - said >>why
+  verdict 'the number of messages of a figure'
+
   sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
@@ -1432,7 +1441,7 @@ if command -v gnuplot >/dev/null; then
   said 'numbered: 1'
   verdict 'the figure of a sweep with a single run'
 
-  # Names of 49 and of 50 characters; gnuplot keeps 49.
+  # Names of 49 and of 50 characters; gnuplot keeps 49. The name may begin with `reference_` and end with the number of the run.
   long=$(printf 'm%046d' 0 | tr 0 x)
   {
     sed '/^```gnuplot/,/^```$/d' "$pages/passes.md" | sed "s/^monitor .* D .*/&\nmonitor $long disc 1\nmonitor x$long disc 1/" |
@@ -1442,6 +1451,18 @@ if command -v gnuplot >/dev/null; then
   run 0 figure tree/cases/long.md -o drawn --trust
   grep -q "^${long}_x = " drawn/long.gp || echo 'a name of 49 characters has no variable' >>why
   ! grep -q "^x${long}_x = " drawn/long.gp || echo 'a name of 50 characters has a variable' >>why
+  long=$(printf 'm%029d' 0 | tr 0 x)
+  {
+    printf '```scene\nunits none\nsweep s 1 2\nmaterial m density 1 kn 1\ngrading g 1 1\n'
+    printf 'fill discs circle 0 0 radius 9 g m seed $s attempts 9 else stop\nstep 1\n'
+    for name in "" x xxxxxxxxxx xxxxxxxxxxx; do printf 'monitor %s grading g\nrecord %s.placed\n' $name$long $name$long; done
+    printf 'stage s\ncycles 1\n```\n```expect\nreference filling\n'
+    for name in "" x xxxxxxxxxx xxxxxxxxxxx; do echo "$name$long.placed within 0"; done
+    printf '```\n```gnuplot\nplot x\n```\n'
+  } >tree/cases/long.md
+  run 0 figure tree/cases/long.md -o drawn --trust
+  sed -n "s/${long}_placed/LONG/; s/^\([a-z_]*LONG_2 =\).*/\1/p" drawn/long.gp | sort | tr '\n' ' ' >variables
+  test "$(cat variables)" = 'LONG_2 = reference_LONG_2 = xLONG_2 = xxxxxxxxxxLONG_2 = ' || cat variables >>why
   verdict 'variables with names that gnuplot would cut are left out'
 fi
 

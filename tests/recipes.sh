@@ -93,8 +93,8 @@ result $status "the recipes draw"
 diff wanted said >"$why" 2>&1
 result $? "their numbers are right"
 
-# A network without contacts: the discs are apart. The warning names the line of the block `gnuplot`; a network with
-# contacts has none, as the test above shows.
+# A network without contacts: the discs are apart. The warning names the line of the block `gnuplot` that has the contacts,
+# and only their stage; a network with contacts has none, as the test above shows.
 cat >apart.md <<'EOF'
 # Discs apart
 
@@ -105,21 +105,27 @@ disc     0 0  radius 1  m
 disc     4 0  radius 1  m
 step     1e-9
 record   time
+stage    looking
+  cycles 1
+  snapshot
 stage    look
   cycles 1
   snapshot
+stage    behind
+  cycles 1
 ```
 
 ```gnuplot
-particles = '$look_particles'; contacts = '$look_contacts'
+particles = '$look_particles'
+contacts = '$look_contacts'
 load plots.'force-chains.gp'
 ```
 EOF
 "$nineball" figure apart.md -o apart --trust >"$why" 2>&1 &&
-  grep -qF 'apart.md:16: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why"
+  test "$(grep 'draws no contact network' "$why")" = 'apart.md:22: warning: the figure draws no contact network: at the end of stage `look` nothing touches'
 result $? "a contact network without contacts: a warning"
 sed "s/^disc     4 0/sweep x 4 5 6\n&/; s/^disc     4/disc     \$x/; s/_particles'/_particles_1'/; s/_contacts'/_contacts_1'/" apart.md >apart-sweep.md
 "$nineball" figure apart-sweep.md -o apart --trust >"$why" 2>&1 &&
-  test "$(grep -cF 'apart-sweep.md:17: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why")" = 1
+  test "$(grep -cF 'apart-sweep.md:23: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why")" = 1
 result $? "a contact network without contacts in three runs: one warning"
 echo "1..$n"

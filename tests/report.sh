@@ -108,12 +108,22 @@ done
 cp one/page.md mixture/own/README.md
 echo mine >mixture/own/own.md
 head -c 200000 /dev/zero >mixture/own/data.tsv
-run 2 report mixture/own/README.md -o mixture && said 'the output folder mixture/own of mixture/own/README.md is a folder of pages, whose files would be overwritten: choose another folder with -o' && test "$(cat mixture/own/own.md)" = mine
+run 2 report mixture/own/README.md one/page.md -o mixture && said 'the output folder mixture/own of mixture/own/README.md is a folder of pages, whose files would be overwritten: choose another folder with -o' && test "$(cat mixture/own/own.md)" = mine
 result $? 'report: the folder of a page is not its output folder'
+mkdir -p input1/sub1 && cp one/page.md input1/sub1/page.md # its path is as long as that of its output folder
+run 0 report input1/sub1/page.md -o output && run 0 report input1/sub1/page.md -o output
+result $? 'report: its output folder may exist'
 cp one/page.md mixture/README.md
 mkdir mixture/mixture && mv mixture/own/data.tsv mixture/mixture
-run 0 report mixture/README.md -o mixture && test -s mixture/mixture/data.tsv
+run 0 report mixture/README.md -o mixture && test -s mixture/mixture/data.tsv && grep -q '<th colspan="4">mixture</th>' mixture/index.html
 result $? 'report: a large table that the report has not written stays'
+cp one/page.md README.md && run 0 report README.md -o root && grep -q '<th colspan="4">\.</th>' root/index.html && grep -q '<h1>nineball report' root/index.html && rm README.md
+result $? 'report: a README in the present folder that is no document'
+bell=$(printf 'a\033b')
+mkdir "$bell" && cp one/page.md "$bell/README.md"
+(cd "$bell" && run 0 report README.md -o "$work/root") && grep -q '>a?b</a>' root/index.html && ! LC_ALL=C grep -q "$(printf '\033')" root/index.html "$why"
+result $? 'report: control characters in the name of the folder of a README'
+rm -r "$bell"
 if command -v gnuplot >/dev/null; then
   grep -q 'src="README.svg"' mixture/mixture/index.html && grep -q 'href="README.png"' mixture/mixture/index.html && test -s mixture/mixture/README.svg
   result $? 'report: the figure of a README'
@@ -123,6 +133,9 @@ echo secret >dots/.key
 sed 's/^The position/[a](.key) [b](.hidden\/key)/' one/page.md >dots/page.md
 run 0 report dots/page.md -o dots/made && ! grep -q -r secret dots/made/files
 result $? 'report: hidden files are not copied'
+sed 's/^The position/[a](key)/' one/page.md >dots/.hidden/page.md
+run 0 report dots/.hidden/page.md -o dots/made && grep -q secret dots/made/files/.hidden-key.txt
+result $? 'report: files beside a page in a hidden folder are copied'
 
 # ---- status ----
 
@@ -156,17 +169,19 @@ run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pag
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv
 result $? 'report: the status is the worst of all pages'
 mkdir -p blocked/passes/table.tsv
-run 2 report "$pages/passes.md" -o blocked && grep -qx 'passes *1 checks, 0 failed; no tables' "$why" && grep -q 'no tables' blocked/index.html
+run 2 report "$pages/passes.md" -o blocked && grep -qx 'passes *1 checks, 0 failed; no tables' "$why" && grep -q 'no tables' blocked/index.html &&
+  ! grep -q 'href="table.tsv"' blocked/passes/index.html
 result $? 'report: tables that cannot be written are status 2'
 
 # ---- the site ----
 
-mkdir -p site/sub
+mkdir -p site/sub site-2
+echo secret >site-2/data.tsv
 cat >site/README.md <<'END'
 # All about it
 
 Read [the page](first.md#theory), [data](sub/data.tsv), [code](../secret.c), [mail](mailto:a@b.c), [bad](javascript:alert(1)),
-[away](https://example.org/x) and [none](nothing.md). <script>alert(2)</script> <b onclick="alert(3)">bold</b>
+[away](https://example.org/x), [beside](../site-2/data.tsv) and [none](nothing.md). <script>alert(2)</script> <b onclick="alert(3)">bold</b>
 
 ![picture](sub/p.svg) ![outside](../secret.svg)
 END
@@ -455,7 +470,8 @@ linked                          1 checks, 0 failed
 look at odd/index.html
 END
 result $? 'report: pages in folders of the report, and pages that are missing or empty'
-grep -q '<a href="../text/index.html">text</a>' odd/linked/index.html && grep -q '<span>none</span>' odd/linked/index.html && ! grep 'without running' odd/text/index.html
+grep -q '<a href="../text/index.html">text</a>' odd/linked/index.html && grep -q '<span>none</span>' odd/linked/index.html &&
+  grep -q '<title>no-page</title>' odd/no-page/index.html && ! grep 'without running' odd/text/index.html
 result $? 'report: links to a text that is not run, and to a missing page'
 # A table of 100000 bytes is kept, one of 100001 is not: a longer name of the page makes the first lines of its table longer.
 site_page 'Rows' 1 'cycle above 1' | sed 's/^record .*/record cycle/; s/^stage .*/stage s/; s/^cycles .*/cycles 13875/; /^sweep/d; s/\$v/1/' >k.md

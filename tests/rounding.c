@@ -223,6 +223,12 @@ static void bits_of_expectations(void) {
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 1) == 0);
   CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or ends later */
   nb_outcome_free(&other);
+  static const double earlier[] = {1, 2, 2, 4}; /* stage one ends earlier, and stage two has the same rows */
+  planted_page(&other, "", list.text), planted_rows(&other, 0, 4, earlier);
+  other.runs[0].result.table.stage[2] = 1;
+  CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 1) == 53);
+  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 53);
+  nb_outcome_free(&other);
   planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* stage two records nothing */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 3) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 2) == 0);
@@ -230,6 +236,19 @@ static void bits_of_expectations(void) {
   CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], scaled) == 0);
   nb_outcome_free(&other), nb_outcome_free(&nearest);
   free(list.text);
+}
+
+/* A quantity that is exactly 0 has bits only if the tolerance is 0. */
+static void bits_of_a_quantity_that_is_0(void) {
+  static const double zeros[5] = {0}, tiny[5] = {0, 0, 0, 0, 1e-300};
+  struct nb_outcome nearest, other;
+  planted_page(&nearest, "", "A.x expected 0 within 0 [t]\nA.x expected 0 within 1 [t]\n");
+  planted_page(&other, "", "A.x expected 0 within 0 [t]\nA.x expected 0 within 1 [t]\n");
+  planted_rows(&nearest, 0, 5, zeros), planted_rows(&other, 0, 5, tiny);
+  CU_ASSERT(nb_expected_has_bits(&nearest.runs[0], 0) && !nb_expected_has_bits(&nearest.runs[0], 1));
+  CU_ASSERT_EQUAL(nb_expected_bits(&nearest.runs[0], &nearest.runs[0], 0), 53);
+  CU_ASSERT_EQUAL(nb_expected_bits(&other.runs[0], &nearest.runs[0], 0), 0);
+  nb_outcome_free(&other), nb_outcome_free(&nearest);
 }
 
 void suite_rounding(void) {
@@ -241,4 +260,5 @@ void suite_rounding(void) {
   CU_ADD_TEST(suite, states_do_not_depend_on_the_mode);
   CU_ADD_TEST(suite, bits_are_counted);
   CU_ADD_TEST(suite, bits_of_expectations);
+  CU_ADD_TEST(suite, bits_of_a_quantity_that_is_0);
 }
