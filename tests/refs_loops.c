@@ -66,11 +66,11 @@ static bool solved(struct nb_solution *solution, const char *law, const struct s
 }
 
 /* With T in mu N and slip in units of the slip at which sliding begins, T d(slip) is (T d(T)) in the spring and
- * |d(slip)| in the slider. */
+ * |d(slip)| in the slider. The second half of the runs has the opposite direction. */
 static void spring_and_slider(void) {
-  static const struct segment segments[] = {
-      {"press", 1, 'h', 0, 1},   {"part", 0, 's', 0.5, 2},       {"over", 0, 's', 3, 5},      {"back", 0, 's', 0, 1},
-      {"force", 0, 't', 0.5, 4}, {"edge", 0, 't', 1 + 5e-14, 1}, {"inside", 0, 's', 1.75, 1}, {"rest", 0, 'h', 0, 1}};
+  struct segment segments[] = {{"press", 1, 'h', 0, 1},     {"part", 0, 's', 0.5, 2},  {"over", 0, 's', 3, 5},
+                               {"back", 0, 's', 0, 1},      {"force", 0, 't', 0.5, 4}, {"edge", 0, 't', 1 + 5e-14, 1},
+                               {"inside", 0, 's', 1.75, 1}, {"rest", 0, 'h', 0, 1}};
   static const struct {
     const char *name;
     double slip, shear, work, lost;
@@ -84,14 +84,17 @@ static void spring_and_slider(void) {
               {"inside", 1.75, 0.75, 3.28125, 3, true},
               {"rest", 1.75, 0.75, 3.28125, 3, true}};
   const double limit = friction * normal, slide = first_slide(), a = contact_radius();
-  for (int law = 0; law < 2; law++) {
+  for (int run = 0; run < 4; run++) {
     struct nb_solution solution;
-    CU_ASSERT_FATAL(solved(&solution, laws[law], segments, SEGMENTS));
+    const double sign = run < 2 ? 1 : -1;
+    for (int k = 0; k < SEGMENTS && run == 2; k++)
+      segments[k].target *= -1;
+    CU_ASSERT_FATAL(solved(&solution, laws[run % 2], segments, SEGMENTS));
     for (int k = 0; k < SEGMENTS; k++) {
       char name[64];
 #define AT_END(quantity) (snprintf(name, sizeof name, quantity " in %s", ends[k].name), refs_value(&solution, name))
-      REFS_NEAR(AT_END("slip"), ends[k].slip * slide, 1e-12, slide);
-      REFS_NEAR(AT_END("shear"), ends[k].shear * limit, 1e-12, limit);
+      REFS_NEAR(AT_END("slip"), sign * ends[k].slip * slide, 1e-12, slide);
+      REFS_NEAR(AT_END("shear"), sign * ends[k].shear * limit, 1e-12, limit);
       REFS_NEAR(AT_END("work.shear"), ends[k].work * limit * slide, 1e-12, limit * slide);
       REFS_NEAR(AT_END("dissipated"), ends[k].lost * limit * slide, 1e-12, limit * slide);
       REFS_NEAR(AT_END("radius.stick"), ends[k].sticks ? a : 0, 1e-12, a);
@@ -101,13 +104,61 @@ static void spring_and_slider(void) {
   }
 }
 
-/* A shear force above mu N has no slip, with every law. */
+/* Runs a path with shear forces, relative to mu N, or with the slips `slips` at the ends of its segments. The last
+ * segment holds the slip. Sets `slips`, and the values at the end. */
+enum { VALUES = 5 };
+static void loop(const char *law, const double forces[4], double sign, bool by_slip, double slips[4],
+                 double values[VALUES]) {
+  static const char *const names[VALUES] = {"slip", "shear", "radius.stick", "dissipated", "work.shear"};
+  static const char *const segment_names[] = {"first", "second", "third", "fourth"};
+  struct segment segments[6] = {{"press", 1, 'h', 0, 1}};
+  struct nb_solution solution;
+  size_t count = 1;
+  for (int k = 0; k < 4 && forces[k] != 0; k++, count++)
+    segments[count] = (struct segment){segment_names[k], 0, by_slip ? 's' : 't',
+                                       by_slip ? slips[k] / first_slide() : sign * forces[k], 2};
+  segments[count++] = (struct segment){"rest", 0, 'h', 0, 1};
+  CU_ASSERT_FATAL(solved(&solution, law, segments, count));
+  for (size_t k = 0; k + 2 < count; k++) {
+    char name[32];
+    snprintf(name, sizeof name, "slip in %s", segment_names[k]);
+    slips[k] = refs_value(&solution, name);
+  }
+  for (int k = 0; k < VALUES; k++)
+    values[k] = refs_value(&solution, names[k]);
+  solution_free(&solution);
+}
+
+/* A loop from -0.6 mu N to 0.4 mu N and back is erased: the curve continues as if the contact had gone from 0.8 mu N to
+ * -0.7 mu N at once. `randall` stores two reversals, so it goes back on the same curve, without dissipation. */
+static void erased_loops(void) {
+  static const double direct[4] = {0.8, -0.7}, through[4] = {0.8, -0.6, 0.4, -0.7};
+  const double force = friction * normal, slide = first_slide(), work = force * slide;
+  for (int k = 0; k < 8; k++) {
+    const bool randall = k % 2, by_slip = k / 4;
+    const double sign = k / 2 % 2 ? -1 : 1, scales[VALUES] = {slide, force, contact_radius(), work, work};
+    const char *const law = randall ? "randall" : "mindlin_deresiewicz";
+    double slips[2][4], values[2][VALUES];
+    for (int slip = 0; slip <= by_slip; slip++) {
+      loop(law, direct, sign, slip, slips[0], values[0]);
+      loop(law, through, sign, slip, slips[1], values[1]);
+    }
+    for (int v = 0; v < (randall ? VALUES : 3); v++)
+      REFS_NEAR(values[1][v], values[0][v], 1e-12, scales[v]);
+    REFS_NEAR(values[1][1], sign * -0.7 * force, 1e-12, force);
+    /* c/a = (1 - (0.8 + 0.7)/2)^(1/3) [R89 3.24] */
+    REFS_NEAR(values[1][2], contact_radius() * cbrt(0.25), 1e-12, contact_radius());
+  }
+}
+
+/* A shear force above mu N has no slip, with every law, in both directions. */
 static void no_values_above_the_limit(void) {
-  static const struct segment segments[] = {{"press", 1, 'h', 0, 1}, {"beyond", 0, 't', 1.01, 1}};
+  struct segment segments[] = {{"press", 1, 'h', 0, 1}, {"beyond", 0, 't', 1.01, 1}};
   static const char *const all[] = {"mindlin", "mindlin_scaled", "mindlin_deresiewicz", "randall"};
-  for (int law = 0; law < 4; law++) {
+  for (int k = 0; k < 8; k++) {
     struct nb_solution solution;
-    CU_ASSERT_FATAL(solved(&solution, all[law], segments, 2));
+    segments[1].target = k < 4 ? 1.01 : -1.01;
+    CU_ASSERT_FATAL(solved(&solution, all[k % 4], segments, 2));
     CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "slip in press"));
     CU_ASSERT_PTR_NULL(solution_find(&solution, "slip in beyond"));
     CU_ASSERT_PTR_NULL(solution_find(&solution, "shear in beyond"));
@@ -173,6 +224,7 @@ static void contact_test_equals_reference(void) {
 void suite_refs_loops(void) {
   CU_pSuite suite = CU_add_suite("refs_loops", NULL, NULL);
   CU_add_test(suite, "spring and slider", spring_and_slider);
+  CU_add_test(suite, "erased loops", erased_loops);
   CU_add_test(suite, "no values above the limit", no_values_above_the_limit);
   CU_add_test(suite, "normal force under shear", normal_force_under_shear);
   CU_add_test(suite, "contact test equals reference", contact_test_equals_reference);

@@ -144,6 +144,29 @@ static void one_contact_values(void) {
          {"momentum.angular", m * (2.5 * -0.25 + 2.125 + 1.6 * 0.25)});
 }
 
+/* Without friction, and without a shear law, a light sphere keeps its tangential velocity and its spin: the shear dashpot
+ * has no effect, either. */
+static void one_contact_without_shear(void) {
+  static const char *const pages[] = {"density 1 kn 10 ks 7\nnormal linear\nshear linear\n",
+                                      "density 1 kn 10 ks 7 friction 1\nnormal linear\nshear none\n"};
+  for (int k = 0; k < 2; k++) {
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    char page[512];
+    snprintf(
+        page, sizeof page,
+        "material h %sdamping stiffness 0.5\nwall w -9 0 to 9 0 h\n"
+        "sphere 0 1.9 radius 2 h velocity 0.25 0 spin 0.5\nmonitor A sphere 1\nmonitor C sphere 1 with wall w\n" CYCLES(
+            "50"),
+        pages[k]);
+    CU_ASSERT_EQUAL_FATAL(refs_solve(&solution, "one_contact", page, &error), NB_OK);
+    CU_ASSERT_EQUAL(refs_value(&solution, "A.vx"), 0.25);
+    CU_ASSERT_EQUAL(refs_value(&solution, "A.spin"), 0.5);
+    CU_ASSERT_EQUAL(refs_value(&solution, "C.shear"), 0);
+    solution_free(&solution);
+  }
+}
+
 /* A sphere of m = 32 pi/3 on a spring of k = 10 oscillates in a run so long that a thousandth of it needs more steps of
  * (m/k)^(1/2)/5, or shorter, than the method may use. */
 static void one_contact_that_lasts_too_long(void) {
@@ -738,6 +761,7 @@ void suite_refs_motion(void) {
   CU_ADD_TEST(suite, one_contact_covers);
   CU_ADD_TEST(suite, one_contact_values);
   CU_ADD_TEST(suite, one_contact_of_other_kinds);
+  CU_ADD_TEST(suite, one_contact_without_shear);
   CU_ADD_TEST(suite, one_contact_that_lasts_too_long);
   CU_ADD_TEST(suite, incline);
   CU_ADD_TEST(suite, many_bounces);

@@ -411,6 +411,7 @@ static void rows_of_two_particles(void) {
              APPROACH
              "cycles 2\nstage t\nwall p velocity 0.03 0\nwall q velocity 0 0\ncycles 3\nstage u\nwalls stop\n"),
          1, {"P.normal", force}, {"P.normal mean", force}, {"P.overlap", force / 20}, {"P.shear", 0});
+  refs_check_message("two_wall_statics", ROW(SECOND, BEHIND, AHEAD, APPROACH), "walls that stop");
 }
 
 static void up_to_a_thousand_particles(void) {

@@ -164,7 +164,8 @@ static void one_particle(void) {
       {"  pair    rock plate  friction 0.4", "  material rock friction 0.1", "friction of the pair"},
       {"step      50 us", "step 0.1 of stable", "a step given as a time"},
       {"spin 30 rad/s", "spin -30 rad/s", "contact point that moves in +x"},
-      {"C.sliding below 0.5", "C.sliding above 0.5", "`until C.sliding below X`"},
+      {"C.sliding below 0.5", "C.sliding above 0.5",
+       "the reference `rotation_off` is for stages that end with `until C.sliding below X`"},
       {"C.sliding below 0.5", "C.shear below 0.5 N", "`until C.sliding below X`"},
       {"C.sliding below 0.5", "time below 5 s", "`until C.sliding below X`"},
       {"C.sliding below 0.5", "C.sliding below 0.5 and time above 0 s", "`until C.sliding below X`"});
@@ -323,7 +324,8 @@ static void lattices(void) {
        {"shear     linear", "shear     none", "linear springs"},
        {"from 1 1  radius 1  spacing $s", "from 1 1  radius 0.9  spacing $s", "touches four or six"});
   PAGE("6-lattices/lattice-hertz", {"shear     none", "shear     linear", "or elastic spheres without shear"},
-       {"normal    hertz", "normal    linear", "linear springs, or"},
+       {"normal    hertz", "normal    linear",
+        "the reference `lattice_moduli` is for linear springs, or elastic spheres without shear"},
        {"(10*sqrt(3)) mm", "(10.001*sqrt(3)) mm", "a lattice that fills the cell"});
   PAGE("6-lattices/ring-strain-literal",
        {"step      0.01", "damping con1 0.9 as all\nstep 0.01", "for `accumulated` without damping"},
@@ -468,7 +470,8 @@ static void assemblies(void) {
        {"velocity 0.12 0", "velocity 0.13 0", "equal speeds"},
        {"velocity -0.12 0", "velocity 0.12 0", "approach with equal speeds"});
   PAGE("4-oblique/nested-loops",
-       {"shear to 16 N    hold normal", "shear to 16 N    normal to 89 N", "constant once there is shear"});
+       {"shear to 16 N    hold normal", "shear to 16 N    normal to 89 N",
+        "the reference `mindlin_loops` is for a normal force that is constant once there is shear"});
 }
 
 void suite_refs_refuses(void) {

@@ -953,6 +953,33 @@ static void filling(void) {
   written_free(&it);
 }
 
+/* A disc whose centre is on the edge of a region is in the region. Discs that just touch have no contact, so the disc
+ * between two fixed ones is a rattler. A region that is neither a circle nor a box has no values. */
+static void measures_at_edges(void) {
+  static const struct {
+    const char *name;
+    double value;
+  } expected[] = {{"C.particles", 2}, {"C.contacts", 0}, {"C.coordination", 0}, {"C.rattlers", 1},
+                  {"B.particles", 1}, {"B.contacts", 0}, {"B.coordination", 0}, {"B.rattlers", 1}};
+  struct nb_solution solution;
+  struct nb_error error = {0};
+  CU_ASSERT_EQUAL_FATAL(
+      refs_solve(
+          &solution, "measures",
+          "material m density 1 kn 1\nnormal linear\ndisc 3 4 radius 0.5 m\ndisc 3.75 5 radius 0.75 m fixed\n"
+          "disc 3.75 3 radius 0.75 m fixed\nregion C circle 0 0 radius 5\nregion B box -1 0 to 3 4\nregion A all\n"
+          "step 1\nrecord C.particles B.particles A.particles\nstage s\ncycles 1\n",
+          &error),
+      NB_OK);
+  for (size_t k = 0; k < sizeof expected / sizeof *expected; k++) {
+    char name[64];
+    snprintf(name, sizeof name, "%s at 0 cycles", expected[k].name);
+    CU_ASSERT_EQUAL(refs_value(&solution, name), expected[k].value);
+  }
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "A.particles at 0 cycles"));
+  solution_free(&solution);
+}
+
 void suite_refs_values(void) {
   CU_pSuite suite = CU_add_suite("refs_values", NULL, refs_released);
   CU_ADD_TEST(suite, centripetal);
@@ -978,4 +1005,5 @@ void suite_refs_values(void) {
   CU_ADD_TEST(suite, rayleigh_step);
   CU_ADD_TEST(suite, momentum);
   CU_ADD_TEST(suite, filling);
+  CU_ADD_TEST(suite, measures_at_edges);
 }

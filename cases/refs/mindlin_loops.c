@@ -80,12 +80,12 @@ static void set_energies(struct branch *b, double shear, double lost, double wor
   b->work += work - work_of(b, shear);
 }
 
-/* The branch that leads from the present state to the force `shear`, if `force` is true, otherwise to `slip`. Adds and
- * erases branches on the way. */
-static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
-  const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
+/* The branch that leads from the present state to `target`, which is a force if `force` is true, otherwise a slip. Adds
+ * and erases branches on the way. Before the first branch, the sense of branches[0] is 0. */
+static struct branch *branch_to(struct loops *loops, double target, bool force) {
+  const double sense = target > (force ? loops->shear : loops->slip) ? 1 : -1;
   struct branch *top = &loops->branches[loops->count > 0 ? loops->count - 1 : 0];
-  if (loops->count == 0 || (sense != top->sense && loops->count < loops->capacity)) {
+  if (sense != top->sense && loops->count < loops->capacity) {
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
@@ -93,17 +93,15 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
    * at some T of the first loading, ends at -T. */
   while (loops->count > 1) {
     if (sense != top->sense) { /* all branches are in use: back along this one, at most to its beginning */
-      const double end = top->shear, lost = top->lost, work = top->work;
-      if (!(sense * ((force ? shear : slip) - (force ? end : top->slip)) > 0))
+      if (!(sense * (target - (force ? top->shear : top->slip)) > 0))
         break;
       top--, loops->count--;
-      set_energies(top, end, lost, work);
       continue;
     }
     struct branch *before = top - 1;
     const double end = loops->count == 2 ? -top->shear : before->shear;
     const double end_slip = loops->count == 2 ? 2 * before->slip - top->slip : before->slip;
-    if (!(sense * ((force ? shear : slip) - (force ? end : end_slip)) > 0))
+    if (!(sense * (target - (force ? end : end_slip)) > 0))
       break;
     const double lost = lost_of(top, end), work = work_of(top, end);
     if (loops->count == 2) { /* virgin loading in the other sense */
@@ -138,7 +136,7 @@ static void advance(struct loops *loops, double target, bool force) {
     advance_spring(loops, target, force);
     return;
   }
-  const struct branch *branch = branch_to(loops, target, target, force);
+  const struct branch *branch = branch_to(loops, target, force);
   const double slides = force ? 0 : fabs(target - branch->slip) - branch->size;
   loops->shear = force ? target : shear_of(branch, target);
   loops->slip = force ? slip_of(branch, target) : target;
@@ -147,8 +145,7 @@ static void advance(struct loops *loops, double target, bool force) {
   if (slides > 0) { /* gross sliding: virgin loading up to the limit, from a shifted origin */
     const double sense = branch->sense;
     loops->lost += slides, loops->work += slides;
-    loops->branches[0] = (struct branch){0, target - sense, 0, 0, sense, 1};
-    loops->count = 1;
+    loops->branches[0] = (struct branch){0, target - sense, 0, 0, sense, 1}; /* the only one that is left */
     set_energies(&loops->branches[0], sense, loops->lost, loops->work);
   }
 }
@@ -172,8 +169,7 @@ static bool walk_path(struct loops *loops, const struct path_contact *contact, c
   for (size_t k = 1; path_next(&walk, now, &target); k++) {
     const double approach = target.normal_force ? path_overlap(contact, target.normal) : target.normal;
     if (fabs(approach - now.approach) > 1e-9 * now.approach) {
-      const bool shears = target.shear != (target.shear_force ? now.shear : now.slip);
-      if (loops->sheared || shears || approach < now.approach)
+      if (loops->sheared || target.shear != 0 || approach < now.approach)
         return false;
       now.approach = approach, now.normal = path_normal(contact, approach);
       loops->radius = sqrt(contact->radius * approach);
@@ -195,9 +191,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct path_column *columns[COLUMNS];
   struct loops *loops = calloc(1, sizeof *loops);
   bool made = loops;
-  const bool two = strcmp(scene->shear, "randall") == 0, none = strncmp(scene->shear, "mindlin", 7) == 0;
+  const bool all = strcmp(scene->shear, "mindlin_deresiewicz") == 0, two = strcmp(scene->shear, "randall") == 0;
   if (loops)
-    loops->capacity = two ? 3 : none && strcmp(scene->shear, "mindlin_deresiewicz") != 0 ? 0 : BRANCHES;
+    loops->capacity = all ? BRANCHES : two ? 3 : 0;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   const bool constant = made && walk_path(loops, &contact, scene, columns);

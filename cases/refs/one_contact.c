@@ -82,7 +82,7 @@ static int slope(double time, const double y[], double dydt[], void *data) {
     d[SPIN] = shear * pair->radius[k] / pair->inertia[k];
   }
   dydt[SHEAR] = touching && pair->has_shear ? pair->values.ks * at.slip : 0;
-  dydt[RESIDUAL] = touching && !pair->wall ? y[SHEAR] * at.along * at.dn / at.distance : 0;
+  dydt[RESIDUAL] = !pair->wall ? y[SHEAR] * at.along * at.dn / at.distance : 0;
   return GSL_SUCCESS;
 }
 
