@@ -435,8 +435,7 @@ static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at)
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   const long place = token ? token - reader->tokens : 0;
-  const bool after_quantity = place == 2 || (place > 2 && strcmp(reader->tokens[0].text, "record") == 0);
-  const char *const arithmetic = after_quantity && reader->here != NB_IN_EXPECT ? nb_arithmetic_hint(reader) : NULL;
+  const char *const arithmetic = place == 2 && reader->here != NB_IN_EXPECT ? nb_arithmetic_hint(reader) : NULL;
   if (arithmetic)
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
   else if (token && token->name)
