@@ -328,10 +328,45 @@ static void kinds_of_typing_errors(void) {
   }
 }
 
+/* A part of a name with dots, of at least three letters, leads to the whole name, and its last part, of at least two,
+ * is found in a longer name. */
+static void parts_of_names(void) {
+  static const struct {
+    const char *typed, *known;
+    bool found;
+  } rows[] = {{"energy", "energy.kinetic", true}, {"kinetic", "energy.kinetic", true},
+              {"normal", "M.normal.max", true},   {"max", "M.normal.max", true},
+              {"nor", "M.normal.max", false},     {"yy", "M.stress.yy", false},
+              {"stress.yy", "yy", true},          {"stress.y", "y", false},
+              {"stress.yy", "xx", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_guess guess = nb_guess_begin(rows[k].typed);
+    nb_guess_offer(&guess, rows[k].known);
+    CU_ASSERT_EQUAL(nb_guess_found(&guess), rows[k].found);
+  }
+}
+
+/* Words of other programs: with another separator, in capitals, in the plural, or with arguments. A letter alone is
+ * another word as a capital: `g` is gravity, and `G` the shear modulus. */
+static void spellings_of_other_programs(void) {
+  static const char *const same[] = {"friction_angle", "friction-angle",  "friction angle",   "friction.angle",
+                                     "Friction_Angle", "friction_angles", "friction_angle(2)"};
+  const struct nb_synonym *const angle = nb_synonym(same[0]);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(angle);
+  for (size_t k = 0; k < sizeof same / sizeof *same; k++)
+    CU_ASSERT_PTR_EQUAL(nb_synonym(same[k]), angle);
+  CU_ASSERT_PTR_NULL(nb_synonym("friction_anglesx"));
+  CU_ASSERT_PTR_NULL(nb_synonym(""));
+  CU_ASSERT_STRING_EQUAL(nb_synonym("g")->ours, "gravity");
+  CU_ASSERT_STRING_EQUAL(nb_synonym("G")->ours, "young");
+}
+
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
   CU_add_test(suite, "texts that are numbers, and texts that are not", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
+  CU_add_test(suite, "parts of names", parts_of_names);
+  CU_add_test(suite, "spellings of words of other programs", spellings_of_other_programs);
   CU_add_test(suite, "hash of a page", hash);
   CU_add_test(suite, "line ends of DOS", line_ends);
   CU_add_test(suite, "several sweeps give all combinations of their values", product);
