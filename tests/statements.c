@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../src/core/clean.h"
+#include "../src/core/names.h"
 #include "../src/input/columns.h"
 #include "../src/input/reader.h"
 #include "suites.h"
@@ -224,6 +226,147 @@ static void the_wrong_place(void) {
   CU_ASSERT(wrong > 100);
 }
 
+/* True if a list has a name, or `NAME.*` for a name of that family, or `*.NAME` for its last part. */
+static bool has_name(const char *list, const char *name) {
+  const char *const dot = strrchr(name, '.');
+  char item[NB_NAME_SIZE], family[2 * NB_NAME_SIZE], suffix[2 * NB_NAME_SIZE];
+  snprintf(family, sizeof family, "%.*s.*", dot ? (int)(dot - name) : 0, name);
+  snprintf(suffix, sizeof suffix, "*%s", dot ? dot : "");
+  while (nb_item(&list, item))
+    if (strcmp(item, name) == 0 || strcmp(item, family) == 0 || strcmp(item, suffix) == 0)
+      return true;
+  return false;
+}
+
+/* The names that have each bound, in the order of enum nb_bound. A magnitude, a count, a distance and a kinetic energy are
+ * never negative; a fraction of a whole is not above 1; a normal force is a compression with all laws of the program. */
+static const char *const bounded[] = {
+    "cycle, time, stage.time, contacts, contacts.deep, unbalanced.max, energy.kinetic, step, step.single-contact, "
+    "step.stable, step.fracc, step.rayleigh, step.rayleigh-mean, step.rayleigh-fit, step.rayleigh-fit-mean, "
+    "boundary.particles, boundary.radius, boundary.area, boundary.roughness, boundary.stress.residual, box.width, "
+    "box.height, walls.force.residual, C.overlap, C.sliding, S.obliquity, G.wanted, G.placed, G.dropped, G.attempts, "
+    "M.contacts, M.sliding, M.sliding.near, M.stress.residual, M.area, M.particles, M.coordination, "
+    "M.coordination.mechanical, M.rattlers, M.constraint_ratio, M.shear.*, M.contact_shear.*, M.contact_ratio.*, "
+    "M.obliquity.*, M.unbalanced.mean, M.unbalanced.force, M.speed.mean, M.speed.max, M.speed.imposed, M.speed.ratio, "
+    "M.chains, M.chains.length, M.chains.fraction, M.chains.bend, M.contacts.lost, M.contacts.new, impact.angle, "
+    "impact.restitution, impact.energy.normal, impact.energy.tangential, impact.energy.rotational, overlap, sliding, "
+    "radius, pieces, *.deviator, *.anisotropy, *.std",
+    "C.sliding, M.sliding, M.sliding.near, M.chains.fraction, M.porosity, M.porosity.volume, box.porosity, sliding",
+    "C.normal, M.normal.*, M.contact_stress.*, impact.normal, normal",
+    "contacts, M.contacts, M.particles, M.rattlers, M.chains, M.contacts.lost, M.contacts.new, boundary.particles",
+};
+
+static void bounds_of_quantities(void) {
+  static const char *const owners[] = {"", "A.", "S.", "C.", "G.", "M."};
+  static const char *const scenes[] = {
+      ROCK "box -9 -9 to 9 9 rock\ngrading g 0.1 1\nlattice discs 2 by 1 radius 1 rock\nmonitor A disc 1\n"
+           "monitor S wall south\nmonitor C disc 1 with disc 2\nmonitor G grading g\nregion M all\n" END,
+      ROCK "periodic cell -9 -9 to 9 9\n" END,
+      "units none\nmaterial m density 1 kn 1 ks 1 friction 1\nwall w -9 0 to 9 0 m\ndisc 0 1 radius 1 m\n"
+      "monitor C disc 1 with wall w\nimpact C speed 1 angle (pi/6)\nrecord cycle\nstep 1e-3\nstage go\ncycles 1\n",
+      "path\nunits none\nmaterial m kn 1\ncontact disc 1 m with wall m\nsegment a slip by 1 in 1 steps\n",
+  };
+  size_t checked = 0;
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+    struct nb_quantity_row row;
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "%s", scenes[k]);
+    written_scene(&it, &page);
+    for (size_t n = 0; nb_quantity_row(&row, n); n++)
+      for (size_t o = 0; o < sizeof owners / sizeof *owners; o++) {
+        struct nb_quantity quantity;
+        char name[2 * NB_NAME_SIZE];
+        unsigned bounds = 0;
+        snprintf(name, sizeof name, "%s%s", owners[o], row.name);
+        if (!nb_quantity_find(&quantity, &it.scene, name))
+          continue;
+        for (size_t b = 0; b < sizeof bounded / sizeof *bounded; b++)
+          bounds |= has_name(bounded[b], name) ? 1U << b : 0;
+        if (nb_quantity_bounds(quantity) != bounds)
+          printf("# the bounds of %s\n", name);
+        CU_ASSERT_EQUAL(nb_quantity_bounds(quantity), bounds);
+        checked++;
+      }
+    written_free(&it);
+  }
+  CU_ASSERT(checked > 300);
+}
+
+enum { NAMES_MAX = 400 };
+
+static bool is_listed(char names[NAMES_MAX][2 * NB_NAME_SIZE], size_t count, const char *name) {
+  size_t k = 0;
+  while (k < count && strcmp(names[k], name) != 0)
+    k++;
+  return k < count;
+}
+
+/* Lists the quantities of a scene and its monitors A, S, C, G and M; returns their number. */
+static size_t quantities_of(char names[NAMES_MAX][2 * NB_NAME_SIZE], const struct nb_scene *scene) {
+  static const char *const owners[] = {"", "A.", "S.", "C.", "G.", "M."};
+  struct nb_quantity_row row;
+  struct nb_quantity quantity;
+  size_t count = 0;
+  for (size_t o = 0; o < sizeof owners / sizeof *owners; o++)
+    for (size_t k = 0; nb_quantity_row(&row, k) && count < NAMES_MAX; k++) {
+      snprintf(names[count], sizeof names[count], "%s%s", owners[o], row.name);
+      count += nb_quantity_find(&quantity, scene, names[count]) && !is_listed(names, count, names[count]);
+    }
+  return count;
+}
+
+/* Runs a scene with two stages, which records the names from `from` to `to`, and gets their last values. */
+static void last_values(double *values, char names[NAMES_MAX][2 * NB_NAME_SIZE], size_t from, size_t to,
+                        const char *scene, const char *strain) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e3 ks 5e2 friction 0.2\nstep 1e-3\ndamping stiffness 1e-3\n"
+                   "damping mass 0.1\nshear linear\n");
+  for (int k = 0; k < 9; k++) /* with velocities that compress and shear the contacts */
+    words_add(&page, "disc %d %d radius 1.01 m velocity %g %g spin %d\n", 1 + k % 3 * 2, 1 + k / 3 * 2, 0.3 - 0.1 * k,
+              k % 2 - 0.4, k % 4 - 1);
+  words_add(&page, "%s", scene);
+  for (size_t k = from; k < to; k++)
+    words_add(&page, "record %s\n", names[k]);
+  words_add(&page, "stage go\n%scycles 100\nstage b\nzero velocities\nremove disc 9\n%scycles 100\n", strain, strain);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t k = from; k < to; k++)
+    values[k] = written_last(&result, names[k]);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* A quantity that is recorded alone has the value that it has beside all others: its row states all that it reads. */
+static void quantities_alone(void) {
+  static const char *const scenes[][2] = {
+      {"box 0 0 to 6 6 m\ngravity 0.3 -1\ngrading g 0.1 1\nmonitor A disc 1\nmonitor S wall south\n"
+       "monitor C disc 1 with disc 2\nmonitor G grading g\nregion M all from go\n",
+       "wall south velocity 0.1 0.1 spin 0.01\n"},
+      {"periodic cell 0 0 to 6 6\n", "cell strain -0.1 0.1\n"},
+  };
+  static char names[NAMES_MAX][2 * NB_NAME_SIZE];
+  double alone[NAMES_MAX], among[NAMES_MAX];
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, ROCK "material m\nlattice discs 2 by 1 radius 1 rock\n%s" END, scenes[k][0]);
+    written_scene(&it, &page);
+    const size_t count = quantities_of(names, &it.scene);
+    written_free(&it);
+    CU_ASSERT(count > 30 && count < NAMES_MAX);
+    last_values(among, names, 0, count, scenes[k][0], scenes[k][1]);
+    for (size_t c = 0; c < count; c++) {
+      last_values(alone, names, c, c + 1, scenes[k][0], scenes[k][1]);
+      const bool same = alone[c] == among[c] || (isnan(alone[c]) && isnan(among[c]));
+      if (!same)
+        printf("# %s: alone %.17g, among all %.17g\n", names[c], alone[c], among[c]);
+      CU_ASSERT(same);
+    }
+  }
+}
+
 void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
@@ -231,4 +374,6 @@ void suite_statements(void) {
   CU_add_test(suite, "walls that the first stage moves", walls_of_the_first_stage);
   CU_add_test(suite, "a statement in the wrong place", the_wrong_place);
   CU_add_test(suite, "one of two materials may be rigid", one_rigid_sphere);
+  CU_add_test(suite, "the bounds of each quantity", bounds_of_quantities);
+  CU_add_test(suite, "each quantity alone", quantities_alone);
 }
