@@ -67,12 +67,20 @@ limit 'names in a sweep' 'expected at most 16 names in a sweep'
 page 'material clay density 1 g/cm3 young 1 MPa poisson 0.5' >"$work/right.md"
 page 'material clay density 1 g/cm3 young 1 MPa poisson 0.500001' >"$work/wrong.md"
 limit "Poisson's ratio" 'expected a number from 0 to 0.5'
+page 'material clay density 1 g/cm3 young 1 MPa poisson 0' >"$work/right.md"
+page 'material clay density 1 g/cm3 young 1 MPa poisson -0.000001' >"$work/wrong.md"
+limit "the smallest Poisson's ratio" 'expected a number from 0 to 0.5'
 
 page 'boundary circle 0 m 0 m radius 2 m
 region A inside 1' >"$work/right.md"
 page 'boundary circle 0 m 0 m radius 2 m
 region A inside 1.000001' >"$work/wrong.md"
 limit 'a fraction' 'expected a number from 0 to 1'
+page 'boundary circle 0 m 0 m radius 2 m
+region A inside 0' >"$work/right.md"
+page 'boundary circle 0 m 0 m radius 2 m
+region A inside -0.000001' >"$work/wrong.md"
+limit 'the smallest fraction' 'expected a number from 0 to 1'
 
 page "let $(many 63 a) = 1" >"$work/right.md"
 page "let $(many 64 a) = 1" >"$work/wrong.md"
@@ -113,6 +121,25 @@ staged() {
 staged 2000 >"$work/right.md"
 staged 2001 >"$work/wrong.md"
 limit 'stages' 'expected at most 2000 stages, found more'
+
+# A mistake in a statement that makes particles causes no second message, about a particle that is missing.
+while read -r line; do
+  page "$line
+monitor A disc 5" >"$work/wrong.md"
+  "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$why"
+  test "$(grep -c ': error: ' "$why")" -eq 1
+  result $? "one message: $line"
+done <<'END'
+disc 9 m
+sphere 9 m
+lattice discs 9
+fill discs 9
+packing none.tsv discs rock
+END
+printf '```scene\nstart none go\nrecord time\nstage on\nremove disc 5\ncycles 1\n```\n' >"$work/wrong.md"
+"$nineball" explain "$work/wrong.md" >"$work/out" 2>"$why"
+test "$(grep -c ': error: ' "$why")" -eq 1
+result $? 'one message: start'
 
 # path LINE: prints a valid contact test with this line added.
 path() {

@@ -367,6 +367,21 @@ static void quantities_alone(void) {
   }
 }
 
+/* In a name of several words these words do not distinguish quantities, and any other word does. */
+static void words_that_say_nothing(void) {
+  const char *words =
+      "of, the, mean, average, number, count, total, value, quantity, all, system, scene, assembly, sample, "
+      "particle, particles, ball, balls, disc, discs, sphere, spheres, contact, contacts, fraction, component";
+  const struct nb_scene scene = {0};
+  char word[NB_NAME_SIZE], name[2 * NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  while (nb_item(&words, word)) {
+    snprintf(name, sizeof name, "%s_rattlers", word);
+    CU_ASSERT(nb_parts_hint(hint, &scene, name, -1));
+    CU_ASSERT_PTR_NOT_NULL(strstr(hint, "`M.rattlers`"));
+  }
+  CU_ASSERT_FALSE(nb_parts_hint(hint, &scene, "purple_rattlers", -1));
+}
+
 void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
@@ -376,4 +391,5 @@ void suite_statements(void) {
   CU_add_test(suite, "one of two materials may be rigid", one_rigid_sphere);
   CU_add_test(suite, "the bounds of each quantity", bounds_of_quantities);
   CU_add_test(suite, "each quantity alone", quantities_alone);
+  CU_add_test(suite, "words that distinguish no quantities", words_that_say_nothing);
 }

@@ -38,12 +38,15 @@ static void units(void) {
              {"4", "kg/m.s2", 4, -1, 1, 2, 0}, /* from left to right */
              {"4", "MPa", 4e6, -1, 1, -2, 0},
              {"4", "nJ", 4e-9, 2, 1, -2, 0},
+             {"4", "cm", 0.04, 1, 0, 0, 0},
+             {"4", "km", 4000, 1, 0, 0, 0},
+             {"4", "GPa", 4e9, -1, 1, -2, 0},
              {"4", "mrad", 0.004, 0, 0, 0, 1},
              {"4", "Mg/m3", 4000, -3, 1, 0, 0},
              {"4", "m9", 4, 9, 0, 0, 0}};
-  static const char *const none[] = {"",      "1",  "m/",  "/s",  "m//s", "kg.",  "mdeg",  "k%",   "M",
-                                     "mmm",   "m0", "m10", "2/s", "N m",  "m^2",  "1.s",   "mn/m", "N-m",
-                                     "meter", "pm", "1/",  "µ",   ".m",   "rad/", "m\xC2", "gm/s"};
+  static const char *const none[] = {"",     "1",     "m/", "/s",  "m//s", "kg.", "mdeg", "k%",    "M",
+                                     "kppm", "mmm",   "m0", "m10", "2/s",  "N m", "m^2",  "1.s",   "mn/m",
+                                     "N-m",  "meter", "pm", "1/",  "µ",    ".m",  "rad/", "m\xC2", "gm/s"};
   struct nb_unit unit;
   for (size_t i = 0; i < COUNT(all); i++) {
     double value = NAN;
@@ -101,6 +104,7 @@ static void written(void) {
     const struct nb_dimension dimension = {all[i].m, all[i].kg, all[i].s};
     nb_dimension_unit(text, sizeof text, dimension);
     CU_ASSERT_STRING_EQUAL(text, all[i].unit);
+    *text = '\0';
     nb_dimension_words(text, sizeof text, dimension);
     CU_ASSERT_STRING_EQUAL(text, all[i].words);
   }
@@ -184,10 +188,30 @@ static void short_numbers(void) {
   CU_ASSERT_EQUAL(compared, NUMBERS);
 }
 
+/* Numbers beyond a double, also with an exponent beyond a long, to which the power of ten of the unit is added. */
+static void too_large_or_too_small(void) {
+  static const struct {
+    const char *number;
+    int shift;
+    enum nb_reading reading;
+  } all[] = {{"1e200000", 3, NB_TOO_LARGE},
+             {"-1e99999999999999999999", 3, NB_TOO_LARGE},
+             {"1e-200000", -3, NB_TOO_SMALL},
+             {"1e-99999999999999999999", -3, NB_TOO_SMALL},
+             {"0e99999999999999999999", 3, NB_READ},
+             {"1e306", 3, NB_TOO_LARGE},
+             {"1e309", -3, NB_READ}};
+  for (size_t i = 0; i < COUNT(all); i++) {
+    double value;
+    CU_ASSERT_EQUAL(nb_number_read(&value, all[i].number, all[i].shift), all[i].reading);
+  }
+}
+
 void suite_units(void) {
   CU_pSuite suite = CU_add_suite("units", NULL, NULL);
   CU_add_test(suite, "powers of ten and dimensions of units, and words that are no units", units);
   CU_add_test(suite, "short numbers have the bits of strtod", short_numbers);
+  CU_add_test(suite, "numbers that are too large or too small", too_large_or_too_small);
   CU_add_test(suite, "the units in messages exist, and have one dimension", kinds);
   CU_add_test(suite, "dimensions in words", written);
   CU_add_test(suite, "units of other systems", foreign);

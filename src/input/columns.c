@@ -138,15 +138,14 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const
   else if (error.status == NB_NO_MEMORY)
     nb_no_memory(reader);
   else
-    nb_token_mistake(reader, token,
-                     hint ? hint
-                     : has_no_search && token->text[0] == '/'
-                         ? "a path that begins with `/` is used as it is; the program searches no other folders"
-                     : has_no_search
-                         ? "a path with `..` starts from the folder of the page; the program searches no other folders"
-                         : "the program searches the folder of the page, then the nearest folder `cases` "
-                           "above it, and all folders in `cases`",
-                     "expected a file that can be read, found `%s`, which %s", token->text, error.text);
+    nb_token_mistake(
+        reader, token,
+        hint                    ? hint
+        : token->text[0] == '/' ? "a path that begins with `/` is used as it is; the program searches no other folders"
+        : has_no_search ? "a path with `..` starts from the folder of the page; the program searches no other folders"
+                        : "the program searches the folder of the page, then the nearest folder `cases` "
+                          "above it, and all folders in `cases`",
+        "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }
 

@@ -301,7 +301,7 @@ static const char *without_units(char *bare, const char *hint) {
     struct nb_unit unit;
     double value;
     snprintf(number, sizeof number, "%.*s", (int)length, at);
-    snprintf(text, sizeof text, "%.*s", at[length] == ' ' ? (int)strcspn(at + length + 1, " `),;") : 0,
+    snprintf(text, sizeof text, "%.*s", at[length] == ' ' ? (int)strcspn(at + length + 1, " `),;*") : 0,
              at + length + 1);
     if (length && nb_unit_read(&unit, text) && !nb_unit_without_dimension(text) &&
         nb_quantity_read(&value, number, false, &unit) == NB_READ) {

@@ -25,11 +25,10 @@ struct parts {
 /* How well the name of a quantity fits: all parts of the searched name must fit some part of it, but for words that do
  * not distinguish quantities. */
 struct fit {
-  bool owner;     /* the quantity belongs to the monitor with which the searched name begins */
-  bool begins;    /* the first part of the quantity fits */
-  size_t matched; /* parts of the searched name that fit */
-  size_t equal;   /* those that are equal to a part of the quantity */
-  size_t left;    /* parts of the quantity that fit no part of the searched name */
+  bool owner;   /* the quantity belongs to the monitor with which the searched name begins */
+  bool begins;  /* the first part of the quantity fits */
+  size_t equal; /* those that are equal to a part of the quantity */
+  size_t left;  /* parts of the quantity that fit no part of the searched name */
 };
 
 static void split(struct parts *parts, const char *text, bool meanings) {
@@ -100,17 +99,16 @@ static bool compare(struct fit *fit, const struct parts *searched, const struct 
       }
     if (!found && !is_filler(part->text))
       return false;
-    fit->matched += found && !is_filler(part->text), fit->equal += equal;
+    fit->equal += equal;
   }
   return fit->left < known->count;
 }
 
 static bool better(const struct fit *a, const struct fit *b) {
-  return a->owner != b->owner       ? a->owner
-         : a->matched != b->matched ? a->matched > b->matched
-         : a->begins != b->begins   ? a->begins
-         : a->left != b->left       ? a->left < b->left
-                                    : a->equal > b->equal;
+  return a->owner != b->owner     ? a->owner
+         : a->begins != b->begins ? a->begins
+         : a->left != b->left     ? a->left < b->left
+                                  : a->equal > b->equal;
 }
 
 /* The search for the best quantities: their whole names if the scene has them, else the first one without its owner. */

@@ -271,10 +271,10 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
     return NULL;
   if (special_hint(hint, reader, n, text, it))
     return hint;
-  if (unit && (reader->unitless || is_dimensionless(it)))
-    snprintf(hint, NB_HINT_SIZE,
-             names_angle(it, text) ? "write the tangent of this angle: `(tan(%.40s %.40s))`" : "write `%.40s`",
-             in_si(si, reader, number, unit, it), text);
+  if (unit && names_angle(it, text))
+    snprintf(hint, NB_HINT_SIZE, "write the tangent of this angle: `(tan(%.40s %.40s))`", number->text, text);
+  else if (unit && (reader->unitless || is_dimensionless(it)))
+    snprintf(hint, NB_HINT_SIZE, "write `%.40s`", in_si(si, reader, number, unit, it));
   else if (foreign && nb_number_read(&value, number->text, 0) == NB_READ)
     snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
              value * foreign->factor, foreign->ours);
