@@ -651,6 +651,56 @@ $ --help C.overlap
           overlap, quantity of a contact test, in m: overlap of the particles, or of particle and
             wall; 0 if there is a gap
 = 0
+$ --help at
+    servo {isotropic P} {mean P} {xx P} {yy P} {xy P} on REGION|boundary|cell|box|walls through
+      boundary|cell|box {affine} at most RATE {every N cycles}
+          at most RATE: a strain rate above 0. Largest magnitude of the added strain rate.
+    until QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N
+      cycles
+          at most N cycles: a whole number, 1 or more. Largest length of the stage.
+          at N cycles, after the quantity of an expectation: the row of that cycle, counted from the
+            start of the run; in a contact test `at N steps`
+          at TIME, after the quantity of an expectation: the value at that time, interpolated linearly
+            between two rows
+= 0
+$ --help C.normal
+    `monitor C disc 1 with disc 2`, then `C.normal`
+          normal, quantity of a contact, in N: elastic normal force F_n without the dashpot; the whole
+            normal force is `normal` plus `dashpot.normal`
+    `region M all`, then `M.normal.mean`
+          normal.mean, quantity of a region, in N: mean: elastic normal force of the contacts
+          normal.max, quantity of a region, in N: largest value: elastic normal force of the contacts
+          normal.min, quantity of a region, in N: smallest value: elastic normal force of the contacts
+          normal.std, quantity of a region, in N: standard deviation: elastic normal force of the
+            contacts
+          normal, quantity of a contact test, in N: elastic normal force
+= 0
+$ --help dashpot
+    `dashpot` of other programs is `damping`, `ratio` or `stiffness` here
+    damping {walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F |
+      mass RATE | con1 X as cs79|velocity|all | centred | late | none
+        Sets the damping at contacts [CS79 28] [R89 4.3, 4.13], or of all particles [CS79 34] [R89
+        sec. 6.5.1]; one statement for each kind of damping; default none. In a stage the damping
+        changes from this stage on. Place: the scene; a page with `start`, before its first stage; a
+        stage.
+    `monitor C disc 1 with disc 2`, then `C.dashpot.normal`
+          dashpot.normal, quantity of a contact, in N: normal force of the dashpot, D_n [CS79 26]
+          dashpot.shear, quantity of a contact, in N: shear force of the dashpot, D_s [CS79 27]
+= 0
+$ --help friction
+    material NAME {density D} {kn K} {ks K} {friction F} {cohesion N} {young E} {poisson NU} {rigid}
+          friction F: a number, 0 or more; without it: 0. Tangent of the angle of friction [CS79 19].
+            Between two materials: the smaller value.
+    pair MATERIAL MATERIAL {kn K} {ks K} {friction F} {cohesion N}
+          friction F: a number, 0 or more; without it: the smaller of the two values. Tangent of the
+            angle of friction [CS79 19].
+    material NAME {kn K} {ks K} {friction F} {cohesion N}
+          friction F: a number, 0 or more; without it: as it was. Tangent of the angle of friction
+            [CS79 19].
+    pair MATERIAL MATERIAL {kn K} {ks K} {friction F} {cohesion N}
+          friction F: a number, 0 or more; without it: as it was. Tangent of the angle of friction
+            [CS79 19].
+= 0
 $ --help kinetic
     `kinetic` of other programs is `energy.kinetic` here
           energy.kinetic, quantity of the scene, in J: kinetic energy of all free particles, rotation
@@ -705,7 +755,7 @@ $ --help below
           energy.kinetic in part  below  1 MJ
   
 = 0
-$ --help quantities | sed -n '1,8p'
+$ --help quantities | sed -n '1,18p'
     Quantities for `record`, `until` and expectations, by families. `nineball --help quantities
     FAMILY` describes each quantity of a family, such as `nineball --help quantities stress`.
   
@@ -714,6 +764,16 @@ $ --help quantities | sed -n '1,8p'
           time: time since the start
           stage: .time
           contacts, .deep: number of contacts with an overlap
+          unbalanced: .max
+          energy: .kinetic, .stored, .friction, .sliding, .shear, .damped, .walls, .gravity, …
+          work: .balance
+          momentum: .x, .y, .angular
+          step, .single-contact, .stable, .fracc, .rayleigh, .rayleigh-mean, .rayleigh-fit, …: the
+            time step
+          boundary: .particles, .radius, .area, .roughness, .stress.xx, .stress.xy, …
+          gap: smallest gap between two particles, at most the skin; below 0: they overlap
+    Of a particle, `monitor A disc 1`, written `A.NAME`:
+          x: position of the centre
 = 0
 $ --help scene | sed -n '1,12p'
   

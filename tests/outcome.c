@@ -730,7 +730,8 @@ static void warnings_of_removed_particles(void) {
 
 /* The warning names the stage that removes the particle, the stage before it, and the line of the statement. Of a pair
  * the side that is removed first counts. The number of a wall is not that of a particle: disc 2 is removed, and wall
- * `left` is the second wall. Disc 1 and the walls `low` and `left` are not removed. */
+ * `left` is the second wall. Disc 1 and the walls `low` and `left` are not removed; stage three only sets the velocity of
+ * `left`. */
 static void stages_of_removed_particles(void) {
   static const struct {
     const char *monitor, *quantity, *stage, *before; /* NULL: no warning */
@@ -770,7 +771,7 @@ static void stages_of_removed_particles(void) {
              "disc 0 1 radius 1 m\ndisc 3 1 radius 1 m\ndisc 6 1 radius 1 m\ndisc 9 1 radius 1 m\n"
              "disc 12 1 radius 1 m\ndisc 15 1 radius 1 m\ndisc 18 1 radius 1 m\nmonitor M %s\nstep 0.001\n"
              "record cycle M.%s\nstage one\ncycles 1\nstage two\nremove disc 7\nremove discs 3 to 4\ncycles 1\n"
-             "stage three\nremove disc 2\nremove wall right\ncycles 1",
+             "stage three\nremove disc 2\nremove wall right\nwall left velocity 0 0\ncycles 1",
              rows[k].monitor, rows[k].quantity);
     carry_out(&outcome, scene, "report cycle", NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
