@@ -1261,9 +1261,9 @@ END
     test ! -s out && sed -n 's/.* about \([0-9]*\) s left.*/\1/p' "$why" | tr '\n' ' ' |
       awk -v whole=$(($(date +%s) - began)) '{ exit !(NF == 2 && $1 >= 4 && $1 <= 4*$2 + 3 && 2*$2 <= whole + 2) }' &&
       awk -v whole=$(($(date +%s) - began)) '
-        /^first.md, stage a: / { n++; t = $6*$4/(100 - $4); bad += !/^first.md, stage a: [ 0-9][ 0-9][0-9] %, [0-9]+ s left   $/ ||
-          ($4 >= 20 && $4 <= 80 && (t < 1.2 || t > whole + 2)) }
-        END { exit !(n > 0 && n <= 2*whole && !bad) }' "$why"
+        /^first.md, stage a: / { n++; last = $4; bad += !/^first.md, stage a: [ 0-9][ 0-9][0-9] %, [0-9]+ s left   $/ }
+        /^first.md, stage a: / && $4 >= 20 && $4 <= 60 { middle++; t = $6*$4/(100 - $4); bad += t < 1.2 || t > whole + 2 }
+        END { exit !(!bad && n > 0 && n <= 2*whole && last >= 60 && (n < 5 || middle)) }' "$why"
     result $? 'the progress of a report on a terminal'
   fi
 fi
