@@ -74,7 +74,7 @@ static void the_anchor_may_have_half_the_tolerance(void) {
 
 /* A variant is left out if its value differs from that of the page by more than twice the tolerance, or if it is the
  * same as that of an earlier variant. The velocity is |v| or -|v|, with v = 1 in the page, and the tolerance 0.01. A claim, the estimated error, is
- * 1.25 times the difference. The variants that stay have all errors but no error of the step, and are not tried with a
+ * 1.25 times the difference. Of two equal runs the first one is named. The variants that stay have all errors but no error of the step, and are not tried with a
  * second step, which has more updates than the page with its longest step, one. */
 static void variants_near_and_far(void) {
   static const struct {
@@ -82,8 +82,8 @@ static void variants_near_and_far(void) {
     const char *reason;
   } rows[] = {{1, ""},
               {1.019, ""},
-              {1.5, "its value differs from that of the page by 50 times the tolerance"},
-              {1.021, "its value differs from that of the page by 2.1 times the tolerance"},
+              {1.5, "its value differs from that of the page by 50 times the tolerance, in run u=1"},
+              {1.021, "its value differs from that of the page by 2.1 times the tolerance, in run u=1"},
               {1.021, "it gives the same values as a variant before it"},
               {1, "it gives the same values as the page"},
               {0.981, ""}};
@@ -91,8 +91,10 @@ static void variants_near_and_far(void) {
     struct asked it;
     size_t setting = 0;
     ask(&it, "scene",
-        sign ? FLIGHT("let v = 1\ntrade v 1.019 1.5 1.021 -1.021 1.0 0.981\ntrade laws none\n", "(-sqrt(v*v))")
-             : FLIGHT("let v = 1\ntrade v 1.019 1.5 1.021 -1.021 1.0 0.981\ntrade laws none\n", "(sqrt(v*v))"),
+        sign ? FLIGHT("sweep u 1 2\nlet w = u\nlet v = 1\ntrade v 1.019 1.5 1.021 -1.021 1.0 0.981\ntrade laws none\n",
+                      "(-sqrt(v*v))")
+             : FLIGHT("sweep u 1 2\nlet w = u\nlet v = 1\ntrade v 1.019 1.5 1.021 -1.021 1.0 0.981\ntrade laws none\n",
+                      "(sqrt(v*v))"),
         "D.vx", "1 %", NULL);
     CU_ASSERT_EQUAL_FATAL(it.status, NB_OK);
     NEAR(it.advice.allowed[0], 0.01, 1e-12);
@@ -198,6 +200,31 @@ static void reasons_of_pages_that_cannot_be_run(void) {
   finish(&it);
 }
 
+/* The quantity is that of the first expectation of a single value: neither a curve nor a line `report`. */
+static void the_quantity_of_the_page(void) {
+  struct asked it;
+  ask(&it, "scene",
+      "material m density 1 kn 1000\nnormal linear\ngravity 0 -1\nsphere 0 5 radius 1 m\nwall floor -9 0 to 9 0 m\n"
+      "monitor D sphere 1\nrecord time D.y D.vy\nstep 0.01\nstage a\ncycles 8\n```\n\n```expect\nreference free_fall\n"
+      "D.y versus time within 1 % of peak\nreport D.y\nD.vy within 1 %\n",
+      NULL, "2 %", NULL);
+  CU_ASSERT_EQUAL(it.status, NB_OK);
+  CU_ASSERT_STRING_EQUAL(it.advice.text, "D.vy within 2 %");
+  finish(&it);
+}
+
+/* Realization k has 8 k cycles of one disc, with k = 1 to 8: 36 in the mean. */
+static void updates_are_the_mean_over_the_trials(void) {
+  struct asked it;
+  ask(&it, "scene",
+      "let seed = 1\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\nrecord D.vx\n"
+      "step 0.01\nstage a\ncycles (8*seed)\n",
+      "D.vx", "1 %", "seed");
+  CU_ASSERT_EQUAL_FATAL(it.status, NB_OK);
+  NEAR(it.advice.variants[0].points[-NB_LEVEL_LOW].updates, 36.0, 1e-12);
+  finish(&it);
+}
+
 void suite_advice(void) {
   CU_pSuite suite = CU_add_suite("advice", NULL, NULL);
   CU_ADD_TEST(suite, the_anchor_may_have_half_the_tolerance);
@@ -206,4 +233,6 @@ void suite_advice(void) {
   CU_ADD_TEST(suite, a_contact_test_trades_its_laws);
   CU_ADD_TEST(suite, a_mean_must_be_known_as_well_as_the_tolerance);
   CU_ADD_TEST(suite, reasons_of_pages_that_cannot_be_run);
+  CU_ADD_TEST(suite, the_quantity_of_the_page);
+  CU_ADD_TEST(suite, updates_are_the_mean_over_the_trials);
 }

@@ -60,6 +60,11 @@ linear|none|0.125|0.8|4|0.0368266|0.0331439|0|chosen|-|k=2 N/m, n=8|3
 END
 result $? 'the table of two traded values'
 
+# With 3 % the variant with both values misses the tolerance. It is the next cheaper setting, so the next longer step is not mentioned.
+run 0 advise flight.md --set 'k=4 N/m' --set 'u=1 m/s' --quantity D.vx --within '3 %' -o flight --trust &&
+  said "  the cheapest setting within the tolerance: --set 'k=2 N/m' --set refine=0.125" && ! said 'next longer step' &&
+  said "  the next cheaper setting misses the tolerance: --set 'k=2 N/m' --set n=8 --set refine=0.125" && said '    estimated error: 3.3 %; by the step alone 0 %'
+result $? 'a cheaper setting that misses the tolerance'
 run 0 advise --all flight.md --set 'k=4 N/m' --set 'u=1 m/s' --quantity D.vx --within '90 %' -o all --trust
 rows all/trades.tsv | cut -f 1,3-11,13-21 | tr '\t' '|' | diff -u - /dev/fd/3 >"$why" 3<<'END'
 flight.md|k=4 N/m, u=1 m/s|-|-|D.vx|90 %|yes|--set 'k=2 N/m' --set n=8 --set refine=0.125|0.03125|4|0.0331439|%|-|-|-|linear|none|-|-

@@ -709,6 +709,9 @@ static void settings_of_a_mean_have_a_margin_of_stability(void) {
           NEAR(point->stability[i], ratios[i], 1e-9);
         const bool good = bound <= 1 || (v == 0 && level == 0);
         CU_ASSERT_EQUAL(point->reason[0] == 0, good);
+        char reason[64];
+        snprintf(reason, sizeof reason, "its step is %.2g of the guaranteed", gsl_stats_mean(ratios, 1, 8));
+        CU_ASSERT(good || strncmp(point->reason, reason, strlen(reason)) == 0);
         good ? kept++ : left_out++;
       }
     CU_ASSERT(kept > 0);
@@ -743,7 +746,7 @@ static void make_up(struct made_up *it, const double updates[SETTINGS], const in
 /* The setting with fewer updates is the cheaper one if the numbers differ by more than 10 %; otherwise, the one whose
  * laws store fewer doubles. Measured times never decide. */
 static void the_cheaper_of_two_settings(void) {
-  static const double updates[SETTINGS] = {100, 111, 109, 100, 50, 91};
+  static const double updates[SETTINGS] = {100, 111, 110, 100, 50, 91};
   static const int history[SETTINGS] = {4, 1, 1, 4, 9, 5};
   static const bool cheaper[SETTINGS][SETTINGS] = {{0, 0, 0, 0, 0, 1}, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 1, 0, 0},
                                                    {0, 0, 0, 0, 0, 1}, {1, 1, 1, 1, 0, 1}, {0, 1, 1, 0, 0, 0}};

@@ -466,9 +466,22 @@ END
   result $? "one kind of loading or damping: ${line%%=*}"
 done
 sed '/^%s$/d' alone.md >lone.md # no `search` and no shear force that a message names
-"$nineball" explain lone.md >out 2>"$why" && ! grep '(no shear' out &&
+"$nineball" explain lone.md >out 2>"$why" && ! grep '(no shear\|inf' out &&
   grep -qx '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), search, periodic cell, boundary, servo, regions' out
 result $? 'what a page with one disc does not use'
+
+# Shear forces are used, although only a later stage has a shear law. A step of --set has no line.
+printf '```scene\nunits none\nmaterial m density 1 kn 1 ks 1 friction 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\nstep 0.1\nrecord time\n' >later.md
+printf 'stage a\ncycles 1\nstage b\nshear linear\ncycles 1\n```\n' >>later.md
+"$nineball" explain later.md --set step=0.25 >out 2>"$why" && grep -qx '  0.25, --set' out &&
+  grep -qx '  dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions' out
+result $? 'a later shear law, and a step of --set'
+
+# A pair of materials without `kn` has elastic moduli, also before a stage with an elastic law. Of the monitors only regions are regions.
+sed 's/kn 1 ks 1/young 3 poisson 0/; s/disc/sphere/; s/^record .*/&\nmonitor D sphere 1\nregion A all/; s/^shear linear/normal hertz/' later.md >hertz.md
+"$nineball" explain hertz.md >out 2>"$why" && grep -qx '  m with m: 1 pair in the neighbour list; E[*] 1.5, G[*] 0.375, tan(phi) 1, c 0' out &&
+  test "$(sed -n '/^regions/,/^step/p' out | wc -l)" -eq 3
+result $? 'a later elastic law, and a monitor that is no region'
 
 # Choices among several stages, motions and conditions. A feature of one stage is used, also if a later stage ends it. The strain of the
 # box replaces the motions of its four walls, not those of the walls before and after it. A shear rate c12 + c21 = 1/2 1/s reaches an
