@@ -504,14 +504,16 @@ static void conditions_on_another_stress_than_the_servo(void) {
        "walls the two differ, and the condition may never hold; write `on M` in the servo\n"},
       {"0.5", "linear", "", "box", "M.stress.xx", ""},
       {"0.5", "linear", "shear none\n", "walls", "box.stress.xx", ""},
+      {"0.5", "linear", "boundary circle 1 1 radius 0.5\n", "boundary through boundary", "walls.stress.xx", ""},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char statements[512];
     snprintf(statements, sizeof statements,
              "material m density 1 kn 1 ks 1 friction %s\nshear %s\nbox 0 0 to 2 2 m\ndisc 1 1 radius 1 m\nregion M "
-             "all\nstep 1e-6\nstage a\n%sservo isotropic 1 on %s through box at most 1\nuntil %s above 0.5 at most 9 "
+             "all\nstep 1e-6\nstage a\n%sservo isotropic 1 on %s%s at most 1\nuntil %s above 0.5 at most 9 "
              "cycles",
-             cases[k].friction, cases[k].shear, cases[k].later, cases[k].on, cases[k].condition);
+             cases[k].friction, cases[k].shear, cases[k].later, cases[k].on,
+             strchr(cases[k].on, ' ') ? "" : " through box", cases[k].condition);
     begins(statements, cases[k].wanted);
   }
 }

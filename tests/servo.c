@@ -465,6 +465,7 @@ static void scales_of_a_box(void) {
               "record cycle\nstage s\nservo isotropic 12 on box through box at most 1e-4 per cycle\ncycles 1\n",
               spring, height, sphere ? "sphere" : "disc", height / 2);
     written_scene(&it, &page);
+    CU_ASSERT_FALSE(it.scene.stages[0].servo.controlled[2]); /* no shear stress through walls, which do not rotate */
     struct nb_model *model = written_model(&it, NULL);
     CU_ASSERT_EQUAL(nb_servo_scales(model, &it.scene.stages[0].servo, &b, &t), !apart);
     const double expected = apart ? 0 : spring * 2 * 0.95 * 0.95 / (4 * volume), mass = 2 * pi * (sphere ? 4. / 3 : 1);

@@ -162,7 +162,7 @@ static void moved_hint(char *hint, const struct nb_scene *scene, size_t s, int f
         hint, NB_HINT_SIZE,
         "write `box strain %.4g%s %.4g%s` in place of `wall` and `walls`: it moves opposite walls together, and the "
         "servo adds to it what its stress needs",
-        x + 0.0, rate, y + 0.0, rate);
+        x, rate, y, rate);
 }
 
 /* What the stages up to the current one have done to the walls of the box. */
@@ -192,7 +192,7 @@ void nb_box_check(struct nb_scene_reading *reading) {
     const struct nb_stage *stage = &scene->stages[s];
     const int line = stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
     note_motions(&box, stage, first);
-    if (!line || s < scene->start.stages)
+    if (!line)
       continue;
     if (box.gone) {
       nb_line_mistake(&reading->reader, (size_t)line, "to move the other walls write `wall NAME velocity VX VY`",

@@ -320,7 +320,7 @@ static void check_held(struct nb_scene_reading *reading, size_t s) {
 
 void nb_servo_check(struct nb_scene_reading *reading) {
   struct nb_scene *const scene = reading->scene;
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *const stage = &scene->stages[s];
     check_held(reading, s);
     warn_of_inherited(scene, s);
