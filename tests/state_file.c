@@ -55,6 +55,18 @@ static void every_length(void) {
   free(longer), free(text);
 }
 
+/* A byte that is 0 is refused, although the checksum is right. The setting is on line 5. */
+static void a_byte_that_is_0(void) {
+  struct nb_error error;
+  size_t size, sealed_size;
+  char *text = small(&size);
+  *strstr(text, "=0.1 m/s") = 0;
+  char *sealed = state_sealed(text, size - NB_STATE_END, &sealed_size);
+  CU_ASSERT(!reads(sealed, sealed_size, &error));
+  CU_ASSERT_STRING_EQUAL(error.text, "a.state:5:1: expected text, found a byte that is 0");
+  free(sealed), free(text);
+}
+
 struct mistake {
   const char *from, *to, *given;
 };
@@ -75,7 +87,9 @@ static void mistakes(const char *page, const struct mistake rows[], size_t count
 
 static void every_mistake(void) {
   static const struct mistake rows[] = {
-      {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
+      {"nineball state 1", "nineball state 2",
+       "a.state:1:1: expected `nineball state 1`: this is not a saved state, or one of another version"},
+      {" 0x1p+0 0x0p+0 ", " 0x1p+1 0x0p+0 ", "expected a vector of length 1, found `0x0p+0`"}, /* of the wall */
       {"units none", "unit none", "a.state:9:1: expected a record of this version, found `unit`"},
       {"units none", "units \033[2J\x80", "a.state:9:7: expected `si` or `none`, found `?[2J?`"},
       {"units none", "units 1234567890123456789012345678901234567890123456789012345678901",
@@ -251,6 +265,7 @@ void suite_state_file(void) {
   CU_pSuite suite = CU_add_suite("state_file", NULL, NULL);
   CU_add_test(suite, "every flipped bit is found", every_bit);
   CU_add_test(suite, "a file that is cut off anywhere is found", every_length);
+  CU_ADD_TEST(suite, a_byte_that_is_0);
   CU_add_test(suite, "every error is reported with file, line and column", every_mistake);
   CU_add_test(suite, "settings are kept whole, or refused", settings_are_not_cut);
   CU_add_test(suite, "a file is complete or absent", complete_or_absent);

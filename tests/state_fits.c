@@ -185,12 +185,14 @@ static void contacts_that_are_apart_do_not_fit(void) {
           "to 50 9 m\n");
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
   it.scene.start.stages = 1;
-  static const char *const ends[] = {"particle 1 with particle 3", "particle 1 with wall 1"};
+  static const char *const texts[] = {
+      "the state has a contact of particle 1 with particle 3, but these two do not touch",
+      "the state has a contact of particle 1 with wall 1, but these two do not touch"};
   for (int wall = 0; wall < 2; wall++) {
     saved.contacts[0].wall = wall, saved.contacts[0].b = wall ? 0 : 2;
     CU_ASSERT_PTR_NULL(nb_model_resume(&it.scene, &(struct nb_options){.threads = 1}, &saved, &error));
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
-    CU_ASSERT(strstr(error.text, ends[wall]) != NULL);
+    CU_ASSERT_STRING_EQUAL(error.text, texts[wall]);
   }
   saved.contacts[0].wall = false, saved.contacts[0].b = 2, saved.contacts[0].field[NB_OVERLAP] = 0; /* it has ended */
   struct nb_model *model = nb_model_resume(&it.scene, &(struct nb_options){.threads = 1}, &saved, &error);

@@ -81,6 +81,8 @@ static void hidden(void) {
     CU_ASSERT_EQUAL(outcome.mark_count[NB_SKIP], rows[k].skipped ? 1 : 0);
     if (rows[k].skipped) {
       CU_ASSERT_EQUAL(outcome.checks[1].line, first + rows[k].skipped - 1);
+      CU_ASSERT_STRING_EQUAL(outcome.checks[1].message,
+                             "the block is in a quote, in a list or indented by four spaces, so it is not read");
       const char *const label = outcome.checks[1].label, *const at = strstr(rows[k].text, label);
       CU_ASSERT(strlen(label) >= strlen("report A.x") && at != NULL);
       CU_ASSERT(strchr("Ar", label[0]) != NULL);        /* without the sign of the quotation and the indent */
