@@ -434,6 +434,10 @@ for step in '0.25 of single-contact:  3.54491e-05 s' '0.25 of stable:  follows f
   test "$(cat out)" = "${step#*:}"
   result $? "the step of a page whose state does not exist yet: ${step%%:*}"
 done
+# Without the state a stage with conditions has the cycles from its first test to its last one.
+printf '```scene\nstart springs stage two\nrecord time\nstage on\nuntil stage.time above 1 s every 3 cycles at most 50 cycles\n```\n' >unknown.md
+"$nineball" explain unknown.md --states none >out 2>"$why" && grep -qx '  on, 3 to 50 cycles: the condition on line 5 decides' out
+result $? 'the length of a stage whose state does not exist yet'
 # Elastic spheres: the duration of a collision depends on the velocities, the Rayleigh step of `spheres` does not.
 for step in '0.25 of rayleigh:  5.51415e-06 s' '9 per collision:  follows from that state'; do
   printf '```scene\nstart spheres stage three\nstep %s\nrecord time\nstage on\ncycles 1\n```\n' "${step%%:*}" >unknown.md
