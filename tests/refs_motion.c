@@ -51,6 +51,9 @@ static void one_contact_covers(void) {
         /* the contact opens at t = 0.5 */
         {ON_WALL(STICKS, "0.02 0.02") CYCLES("49"), NULL}, {ON_WALL(STICKS, "0.02 0.02") CYCLES("51"), opens},
         {ON_WALL(STICKS, "-0.02 0.02") CYCLES("51"), opens}, {ON_WALL(STICKS, "0 0.02") CYCLES("51"), NULL},
+        /* exactly at the beginning and at the end of the wall */
+        {HEAVY STICKS LINEAR "wall w 0 0 to 8 0 h\nsphere 0 1.99 radius 2 h\n" CYCLES("1"), end},
+        {HEAVY STICKS LINEAR "wall w 0 0 to 8 0 h\nsphere 8 1.99 radius 2 h\n" CYCLES("1"), end},
         {ON_WALL(STICKS, "0 0") "sphere 20 20 radius 1 h\n" CYCLES("1"), two},
         {ON_WALL(STICKS, "0 0") "wall v -9 -9 to 9 -9 h\n" CYCLES("1"), two},
         {HEAVY STICKS LINEAR "sphere 0 0 radius 2 h\n" CYCLES("1"), two},
