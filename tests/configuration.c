@@ -100,6 +100,24 @@ static void of_regions(void) {
   written_free(&it);
 }
 
+/* A disc moves until its centre is exactly on a removed wall. The lost contact then has no direction: it counts, but
+ * adds nothing to the fabric. */
+static void a_centre_on_a_wall(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-300\nstep 0.5\ndisc 0 0.5 radius 1 m velocity 0 -0.5\n"
+                   "wall w -5 0 to 5 0 m\nregion A all\nrecord A.contacts.lost A.fabric.lost.xx A.fabric.lost.yy\n"
+                   "stage a\nremove wall w\ncycles 2\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "A.contacts.lost"), 1);
+  CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.xx"), 0);
+  CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.yy"), 0);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* The contact of a particle that the first stage removes is lost since the start of the run, but not since the
  * beginning of that stage. */
 static void since_the_start_or_the_first_stage(void) {
@@ -271,6 +289,7 @@ static void across_the_edge(void) {
 
 void suite_configuration(void) {
   CU_pSuite suite = CU_add_suite("configuration", NULL, NULL);
+  CU_add_test(suite, "a centre on a wall has no direction to it", a_centre_on_a_wall);
   CU_add_test(suite, "contacts lost, new and kept", goes_over);
   CU_add_test(suite, "contacts lost and new of a region, and their directions", of_regions);
   CU_add_test(suite, "a sphere slides down an incline", slides);

@@ -180,8 +180,9 @@ static void a_shear_law_ends_anywhere(void) {
               "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0.25 ks 200 friction 1e6\nnormal hertz\n"
               "shear linear\nsphere 0 0 radius 1 m\n%s\nstep 1e-4\nrecord energy.changed\n",
               rows[k / 3].scene);
-    words_add(&page, "stage a\n%scycles 4\nstage b\n%s%s\ncycles 3\n", rows[k / 3].motion, rows[k / 3].motion,
-              ends[k % 3]);
+    /* the work of an earlier change, which ends no law, is not part of the loss */
+    words_add(&page, "stage a\n%scycles 3\nstage again\n%smaterial m ks 200\ncycles 1\nstage b\n%s%s\ncycles 3\n",
+              rows[k / 3].motion, rows[k / 3].motion, rows[k / 3].motion, ends[k % 3]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     const double ds = rows[k / 3].speed * 1e-4, force = 200 * 4 * ds, lost = force * force / 400 + force * ds / 2;

@@ -277,6 +277,14 @@ static void loads(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.min"), sqrt(2. / 3 * 0.01), 1e-12);
   CLOSE(model, "A.contact_shear.max", 0);
   done(&it, model);
+
+  /* the mean of three forces of 0.1 N is rounded to 0.1 (1 + 2^-52) N; the standard deviation is still 0, not NaN */
+  words_add(&page, "units none\nmaterial m density 1 kn 0.4\nstep 1e-6\nlattice discs 4 by 1 radius 1 spacing 1.75 m\n"
+                   "region A all\nrecord A.normal.mean A.normal.std\nstage s\ncycles 1\n");
+  model = model_of(&it, &page);
+  CU_ASSERT(written_now(model, "A.normal.mean") > 0.1);
+  CU_ASSERT_EQUAL(written_now(model, "A.normal.std"), 0);
+  done(&it, model);
 }
 
 /* A disc that slides along a wall in x, and a disc that does not slide at another wall. */

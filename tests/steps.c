@@ -290,6 +290,26 @@ static void removed_particles_do_not_collide(void) {
   }
 }
 
+/* A stage that removes a wall predicts collisions without it. The two spheres approach each other more slowly than
+ * the wall, of which an end or the face is in the way. */
+static void removed_walls_do_not_collide(void) {
+  static const char *const walls[] = {"wall w -90 0 to 90 0 r", "wall w 0 0 to 90 0 r"};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              SPHERES "sphere 0 3 radius 1 m velocity 0 -1\nsphere 0 9 radius 1 m velocity 0 -1.5\n%s\nstep 1e-9\n"
+                      "record step\nstage a\ncycles 1\nstage b\nremove wall w\nstep 20 per collision\ncycles 1\n",
+              walls[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    NEAR(written_last(&result, "step"), hertz(0.5, 0.5, 0.5, 0.5) / 20, 1e-9);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* The limits of a later stage use the velocities that the walls have in this stage: velocities that the stage gives,
  * and velocities that walls keep from the previous stage. */
 static void walls_of_a_later_stage(void) {
@@ -564,6 +584,7 @@ void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_ADD_TEST(suite, the_lightest_particles);
   CU_ADD_TEST(suite, removed_particles_do_not_collide);
+  CU_ADD_TEST(suite, removed_walls_do_not_collide);
   CU_ADD_TEST(suite, the_single_contact_step);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);

@@ -106,7 +106,6 @@ bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_mode
 }
 
 bool nb_configuration_begin(struct nb_model *model, int stage) {
-  const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   const size_t r = index_of(model->configuration, stage);
   if (r == model->configuration->count)
@@ -117,8 +116,6 @@ bool nb_configuration_begin(struct nb_model *model, int stage) {
   memcpy(reference->position, particles->position, particles->count * sizeof *particles->position);
   if (particles->angle)
     memcpy(reference->angle, particles->angle, particles->count * sizeof *particles->angle);
-  for (size_t c = 0; c < contacts->count; c++)
-    *slid(contacts, r, c) = 0;
   return reference->begun = true;
 }
 
