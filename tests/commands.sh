@@ -406,6 +406,12 @@ $ state late.md --stage go -o sub.state
 $ state good.md --stage g
 ! nineball: good.md has no stage `g` of its own
 = 2
+$ state good.md --stage goo
+! nineball: good.md has no stage `goo` of its own; did you mean `go`?
+= 2
+$ state good.md -o good.out
+! nineball: good.out is not a state, so it is not overwritten: expected the name of a state or of a new file
+= 2
 $ state good.md bad.md
 ! nineball: `nineball state` takes one page
 = 2
@@ -983,6 +989,11 @@ $ advise good.md --within '1 %' --over vv
 = 2
 $ advise good.md --within '1 %' --over v --set v=1
 ! good.md: error: --over v and --set v=1 exclude each other: remove one of the two
+= 2
+$ advise good.md --within '1 %' --over v --set vv=1
+! --set: error: expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step`, `damping`, `trade`, `refine`, `soften` or `follow`, found `vv`
+!       | vv=1
+!       | ^~
 = 2
 $ advise good.md --within '1 %' --budget 1e-9
 ! good.md: error: the page cannot be run with its own step and with half of it: the budget is too small; choose a larger --budget

@@ -768,6 +768,66 @@ END
   sed 's/velocity -9 0/fixed/' meet.md >rests.md && "$nineball" explain rests.md >out 2>"$why" && grep -qx '  collision, Hertz: 0.362718, 36.3 steps; particle 2 and wall v at 2' out
 result $? 'the names of those that collide'
 
+# Spheres that overlap have a stiffness, so there is a stable step: N' = 2 E* (R* overlap)^(1/2) with the modulus E* = 1000/(2 * 0.96), and
+# 2 (m/(2 N'))^(1/2) with m = 4 pi/3.
+sed 's/^sphere 20 20.*/sphere 28.1 20 radius 1 m/; s/velocity -9 0//' meet.md >pressed.md
+"$nineball" explain pressed.md >out 2>"$why" && grep -qx '  stable: 0.18965; .* limited by normal motion of particles 3 and 4' out && ! grep 'stable: unknown' out
+result $? 'the stable step of spheres that overlap'
+
+# A law with stiffnesses shows them; where a pair has none and only a later stage has an elastic law, the moduli are shown.
+cat >later.md <<'END'
+```scene
+units none
+material m density 1 kn 3 young 100 poisson 0
+material n density 1 young 100 poisson 0
+sphere 0 0 radius 1 m
+sphere 5 0 radius 1 n
+sphere 9 9 radius 1 m
+step 0.01
+record time
+stage a
+cycles 1
+stage b
+normal hertz
+cycles 2
+```
+END
+"$nineball" explain later.md 2>"$why" | grep ' with [mn]: ' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+  m with m: 0 pairs in the neighbour list; k_n 3, k_s 0, tan(phi) 0, c 0
+  m with n: 0 pairs in the neighbour list; E* 50, G* 12.5, tan(phi) 0, c 0
+END
+result $? 'a pair that has no stiffness before its elastic law'
+
+# The trial ends in stage `a`. The steps of later stages that the page gives are known all the same: 1.1 takes 5 steps of 0.25. The
+# step of stage `d` follows from a trial, so its number of cycles is about that with the step before.
+cat >early.md <<'END'
+```scene
+units none
+material m density 1 kn 1
+disc 0 0 radius 1 m
+monitor D disc 1
+step 0.5
+record time D.x
+stage a
+until D.x above 3 at most 10 cycles
+stage b
+step 0.25
+until stage.time above 1.1 at most 50 cycles
+stage c
+until stage.time above 1.1 at most 50 cycles
+stage d
+step 0.1 of single-contact
+until stage.time above 1.1 at most 50 cycles
+```
+END
+"$nineball" explain early.md 2>"$why" | sed -n 's/^  \([abcd]\), /\1: /p' | diff -u - /dev/fd/3 >>"$why" 3<<'END'
+a: 1 to 10 cycles: the condition on line 9 decides
+b: 5 cycles
+c: 5 cycles
+d: about 5 cycles
+END
+result $? 'the lengths of stages that the trial does not reach'
+
 # Both warnings of the start of a run: a deep overlap, and a coordinate whose resolution is 0.2 % of the mean overlap.
 printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 9e12 0 radius 1 m\ndisc 9e12 1 radius 1 m\nstep 0.01\nrecord time\nstage a\ncycles 1\n```\n' >doubtful.md
 "$nineball" explain doubtful.md >out 2>"$why" && grep -q '^doubtful.md:5: warning: particle 2 overlaps particle 1 (line 4) too much at the start: by 1, 50 %' out && grep -q '^doubtful.md:4: warning: particle 1: its coordinate 9e+12 ' out

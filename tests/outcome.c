@@ -1067,48 +1067,51 @@ static void stiffness_of_springs_in_series(void) {
     const char *expectation;
     bool noted;
     const char *scene, *stage; /* more statements */
-  } cases[] = {{"C.normal expected 0.05 within 1 % [t]", true},
-               {"C.normal expected 0.0503 within 1 % [t]", true},
-               /* the ratios 1.98 and 2.02 are the limits for a force, 0.495 and 0.505 for an overlap */
-               {"C.normal expected (0.1/1.98001) within 1 % [t]", true},
-               {"C.normal expected (0.1/1.97999) within 1 % [t]", false},
-               {"C.normal expected (0.1/2.01999) within 1 % [t]", true},
-               {"C.normal expected (0.1/2.02001) within 1 % [t]", false},
-               {"C.overlap expected (0.1/0.495005) within 1 % [t]", true},
-               {"C.overlap expected (0.1/0.494995) within 1 % [t]", false},
-               {"C.overlap expected (0.1/0.504995) within 1 % [t]", true},
-               {"C.overlap expected (0.1/0.505005) within 1 % [t]", false},
-               {"C.normal expected 0.052 within 1 % [t]", false},
-               {"C.normal expected 0.2 within 1 % [t]", false},
-               {"C.overlap expected 0.2 within 1 % [t]", true},
-               {"C.overlap expected 0.05 within 1 % [t]", false},
-               {"C.normal expected 0.05 within 200 % [t]", false},
-               {"B.x expected 3.8 within 1 % [t]", false},
-               {"C.normal expected 0.5 of C.overlap within 1 % [t]", false},
-               {"C.normal max expected 0.05 within 1 % [t]", false},
-               {"C.overlap min expected 0.2 within 1 % [t]", false},
-               {"C.normal mean expected 0.05 within 1 % [t]", true},
-               {"C.normal expected 0.05 within 1 % [t]", false, "gravity 0 -1e-9\n", ""},
-               {"C.normal expected 0.05 within 1 % [t]", false, "", "gravity 0 -1e-9\n"},
-               {"C.normal expected 0.05 within 1 % [t]", false, "pair m m kn 1\n", ""},
-               {"C.normal expected 0.05 within 1 % [t]", true, "pair m m friction 0\n", ""},
-               {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\n"},
-               {"C.normal expected 0.05 within 1 % [t]", true, "", "pair m m friction 0\n"},
-               {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\npair m m friction 0\n"},
-               {"C.normal expected 0.05 within 1 % [t]", true, "", "material m kn 1\n"},
-               /* the cause may stand in any of several lines or stages */
-               {"C.normal expected 0.05 within 1 % [t]", false,
-                "material o density 1 kn 1\npair m m kn 1\npair m o friction 0\n", ""},
-               {"C.normal expected 0.05 within 1 % [t]", false,
-                "material o density 1 kn 1\npair m o friction 0\npair m m kn 1\n", ""},
-               {"C.normal expected 0.05 within 1 % [t]", false, "", "gravity 0 -1e-9\ncycles 1\nstage two\n"},
-               {"C.normal expected 0.05 within 1 % [t]", false, "", "cycles 1\nstage two\ngravity 0 -1e-9\n"}};
+  } cases[] = {
+      {"C.normal expected 0.05 within 1 % [t]", true},
+      {"C.normal expected 0.0503 within 1 % [t]", true},
+      /* the ratios 1.98 and 2.02 are the limits for a force, 0.495 and 0.505 for an overlap */
+      {"C.normal expected (0.1/1.98001) within 1 % [t]", true},
+      {"C.normal expected (0.1/1.97999) within 1 % [t]", false},
+      {"C.normal expected (0.1/2.01999) within 1 % [t]", true},
+      {"C.normal expected (0.1/2.02001) within 1 % [t]", false},
+      {"C.overlap expected (0.1/0.495005) within 1 % [t]", true},
+      {"C.overlap expected (0.1/0.494995) within 1 % [t]", false},
+      {"C.overlap expected (0.1/0.504995) within 1 % [t]", true},
+      {"C.overlap expected (0.1/0.505005) within 1 % [t]", false},
+      {"C.normal expected 0.052 within 1 % [t]", false},
+      {"C.normal expected 0.2 within 1 % [t]", false},
+      {"C.overlap expected 0.2 within 1 % [t]", true},
+      {"C.overlap expected 0.05 within 1 % [t]", false},
+      {"C.normal expected 0.05 within 200 % [t]", false},
+      {"B.x expected 3.8 within 1 % [t]", false},
+      {"C.normal expected 0.5 of C.overlap within 1 % [t]", false},
+      {"C.normal max expected 0.05 within 1 % [t]", false},
+      {"C.overlap min expected 0.2 within 1 % [t]", false},
+      {"C.normal mean expected 0.05 within 1 % [t]", true},
+      {"C.normal expected 0.05 within 1 % [t]", false, "gravity 0 -1e-9\n", ""},
+      {"C.normal expected 0.05 within 1 % [t]", false, "", "gravity 0 -1e-9\n"},
+      {"C.normal expected 0.05 within 1 % [t]", false, "pair m m kn 1\n", ""},
+      {"C.normal expected 0.05 within 1 % [t]", true, "pair m m friction 0\n", ""},
+      {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\n"},
+      {"C.normal expected 0.05 within 1 % [t]", true, "", "pair m m friction 0\n"},
+      {"C.normal expected 0.05 within 1 % [t]", false, "", "pair m m kn 1\npair m m friction 0\n"},
+      {"C.normal expected 0.05 within 1 % [t]", true, "", "material m kn 1\n"},
+      {"C.normal expected (0.1^1.5*0.5^0.5/3) within 1 % [t]", false, "normal hertz\n", ""}, /* E* 0.5, R* 0.5 */
+      /* the cause may stand in any of several lines or stages */
+      {"C.normal expected 0.05 within 1 % [t]", false,
+       "material o density 1 kn 1\npair m m kn 1\npair m o friction 0\n", ""},
+      {"C.normal expected 0.05 within 1 % [t]", false,
+       "material o density 1 kn 1\npair m o friction 0\npair m m kn 1\n", ""},
+      {"C.normal expected 0.05 within 1 % [t]", false, "", "gravity 0 -1e-9\ncycles 1\nstage two\n"},
+      {"C.normal expected 0.05 within 1 % [t]", false, "", "cycles 1\nstage two\ngravity 0 -1e-9\n"}};
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     struct nb_outcome outcome;
     char scene[512];
     snprintf(scene, sizeof scene,
-             "units none\nmaterial m density 1 kn 1\n%sdisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\nmonitor B disc "
-             "2\nmonitor C disc 1 with disc 2\nstep 1e-6\nrecord C.normal C.overlap B.x\nstage one\n%scycles 1",
+             "units none\nmaterial m density 1 kn 1 young 1 poisson 0\n%ssphere 0 0 radius 1 m\nsphere 1.9 0 radius 1 "
+             "m\nmonitor B sphere "
+             "2\nmonitor C sphere 1 with sphere 2\nstep 1e-6\nrecord C.normal C.overlap B.x\nstage one\n%scycles 1",
              cases[k].scene ? cases[k].scene : "", cases[k].stage ? cases[k].stage : "");
     carry_out(&outcome, scene, cases[k].expectation, NULL);
     CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);

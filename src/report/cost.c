@@ -71,7 +71,8 @@ static bool step_is_known(const struct nb_scene *scene, size_t index) {
          (kind != NB_STEP_STABLE && kind != NB_STEP_COLLISION && !changes);
 }
 
-/* Sets the lengths of the stages with the steps of the trial. The clock and the step of the model are changed. */
+/* Sets the lengths of the stages with the steps of the trial. If it did not reach a stage, the step is the one that the
+ * page gives, or about that of the stage before. The clock and the step of the model are changed. */
 static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, struct nb_model *model,
                          const struct nb_result *trial) {
   struct clock now = {{(double)model->cycle, (double)model->cycle}, {model->time, model->time}};
@@ -81,8 +82,9 @@ static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, str
     const struct nb_stage *stage = &scene->stages[s];
     struct nb_length *length = &cost->lengths[s];
     bool decided = true, clock = false;
-    step = trial->stages && trial->stages[s].step > 0 ? trial->stages[s].step : step;
-    about = about || !step_is_known(scene, s);
+    const bool reached = trial->stages && trial->stages[s].step > 0, given = stage->step.kind == NB_STEP_TIME;
+    step = reached ? trial->stages[s].step : given ? stage->step.value : step;
+    about = about || !step_is_known(scene, s) || !(reached || given || s == scene->start.stages);
     for (size_t k = 0; k < stage->condition_count; k++) {
       const bool is = is_clock(&stage->conditions[k]);
       decided = decided && is, clock = clock || is;
@@ -124,8 +126,8 @@ static double write_file(const struct nb_table *table) {
 
 double nb_cost_file(void) { return write_file(NULL); }
 
-/* Time to write one row of the table and to check it against the expectations, s; *snapshots: time to write all
- * snapshots, s. */
+/* Time to write one row of a table that has rows, and to check it against the expectations, s; *snapshots: time to write
+ * all snapshots, s. */
 static double time_tables(struct nb_page_run *trial, double *snapshots) {
   struct nb_outcome outcome = {.page = *trial->scene.page, .runs = trial, .run_count = 1};
   FILE *out = fopen("/dev/null", "w");
@@ -141,7 +143,7 @@ static double time_tables(struct nb_page_run *trial, double *snapshots) {
   for (size_t k = 0; k < trial->result.snapshot_count; k++)
     for (int part = 0; nb_snapshot_part(&trial->result.snapshots[k], part, &name, &table); part++)
       *snapshots += write_file(table);
-  return trial->result.table.row_count ? rows / (double)trial->result.table.row_count : 0;
+  return rows / (double)trial->result.table.row_count;
 }
 
 static void add(struct nb_bounds *sum, struct nb_bounds range, double factor) {

@@ -789,13 +789,13 @@ static double momentum_scale(const struct nb_scene *scene) {
 static void append_constant(char *hint, const struct nb_reader *reader, const struct nb_scene *scene) {
   const char *const name = reader->tokens[0].text;
   struct nb_quantity quantity;
-  const bool known = nb_quantity_find(&quantity, scene, name),
-             positive = known && nb_quantity_bounds(quantity) & NB_AT_LEAST_0,
-             momentum = known && strcmp(nb_quantity_unit(quantity), "kg.m/s") == 0;
-  const char *const unit = known ? shown_unit(reader, nb_quantity_unit(quantity)) : "", *const space = *unit ? " " : "";
+  nb_quantity_find(&quantity, scene, name); /* a quantity that the page records */
+  const bool positive = nb_quantity_bounds(quantity) & NB_AT_LEAST_0,
+             momentum = strcmp(nb_quantity_unit(quantity), "kg.m/s") == 0;
+  const char *const unit = shown_unit(reader, nb_quantity_unit(quantity)), *const space = *unit ? " " : "";
   const double scale = momentum ? momentum_scale(scene) : 0;
   char tolerance[32] = "1e-9";
-  if (known && nb_quantity_is_residual(quantity)) {
+  if (nb_quantity_is_residual(quantity)) {
     nb_append(hint, NB_HINT_SIZE,
               "a residual should be 0: write `%.80s max in all  within 1e-6 of energy.kinetic max in all` and the same "
               "line with `min`%s",
@@ -961,11 +961,12 @@ static bool offer_reducers(const struct nb_reader *reader, const struct nb_measu
 /* Writes the hint for a reducer after the stage, `C.normal in load max`; false: the word is no such reducer. */
 static bool reducer_after_stage(char *hint, const struct nb_measure *measure, const char *word) {
   const struct nb_reducer_row *row = reducers;
+  const bool at = strcmp(word, "at") == 0;
   while (row->word && strcmp(row->word, word) != 0)
     row++;
-  snprintf(hint, NB_HINT_SIZE, "write `%.*s %s%s`", (int)measure->bare_length, measure->label, word,
+  snprintf(hint, NB_HINT_SIZE, "write `%.*s %s%s%s`", (int)measure->bare_length, measure->label, word, at ? " …" : "",
            measure->label + measure->bare_length);
-  return row->word && measure->reducer == NB_LAST && measure->stage != -1;
+  return (row->word || at) && measure->reducer == NB_LAST && measure->stage != -1;
 }
 
 /* The hint for a token that is no word of an expectation. `again`: it is a reducer although the measure has one. */
