@@ -118,6 +118,15 @@ static void a_new_boundary_is_not_strained(void) {
   }
 }
 
+/* Positions are rounded: a disc inside the circle by 1e-13 of its radius is on the circle, one inside by 1e-9 is not. */
+static void on_the_circle_but_for_rounding(void) {
+  CU_ASSERT_EQUAL(after("disc 4.9999999999995 0 radius 1 m\ndisc 0 4.999999995 radius 1 m\ndisc -5 0 radius 1 m\n"
+                        "record boundary.particles\nboundary circle 0 0 radius 5\nstage s\nboundary strain 0 0\n"
+                        "cycles 1\n",
+                        "boundary.particles"),
+                  2);
+}
+
 /* A circle that has all particles inside: every quantity of the boundary is 0. */
 static void a_boundary_without_particles(void) {
   static const char *const names[] = {"particles", "radius", "area", "roughness", "stress.xx", "stress.residual"};
@@ -709,6 +718,7 @@ void suite_drive(void) {
   CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
   CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
   CU_add_test(suite, "a new boundary is not strained", a_new_boundary_is_not_strained);
+  CU_ADD_TEST(suite, on_the_circle_but_for_rounding);
   CU_add_test(suite, "a boundary without particles", a_boundary_without_particles);
   CU_add_test(suite, "a boundary that begins with a stage", a_boundary_that_begins_with_a_stage);
   CU_add_test(suite, "a boundary without particles is held again", an_empty_boundary_is_held_again);

@@ -95,12 +95,13 @@ static void all_forces_count(void) {
 }
 
 /* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. When it can rotate again, the
- * changes of its spin w and its velocity v satisfy I dw = R m dv to rounding. */
+ * changes of its spin w and its velocity v satisfy I dw = R m dv to rounding. A fixed disc keeps its spin. */
 static void rotation_off_and_on(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
                "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nmonitor D disc 1\ngravity 0 -1\n"
-               "record D.vx.half D.spin.half D.angle energy.changed work.balance\n"
+               "disc 0 9 radius 1 m fixed spin 4\ndisc 0.5 10.9 radius 1 m fixed\nmonitor F disc 2\n"
+               "record D.vx.half D.spin.half D.angle energy.changed work.balance F.spin.half\n"
                "stage a\nrotation off\ncycles 1000\nstage b\nrotation on\ncycles 1000\n");
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 1000, 0), 5 - 0.25, 1e-3);
   CU_ASSERT_EQUAL(column(&result, 1000, 1), 0);
@@ -110,6 +111,8 @@ static void rotation_off_and_on(void) {
   CU_ASSERT_DOUBLE_EQUAL(slower, 0.25, 1e-3);
   /* rotation begins at t_0, half a step after that velocity */
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 1), -2 * (slower - 0.25 * 0.0005), 1e-11);
+  CU_ASSERT_EQUAL(column(&result, 1000, 5), 4);
+  CU_ASSERT_EQUAL(column(&result, 2000, 5), 4);
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 4), 0, 1e-10); /* 2000 sums of about 78, rounded */
   nb_result_free(&result);
 }

@@ -276,6 +276,7 @@ static void warnings_of_regions(void) {
       {"5", "5 0 radius 2", "A.normal.mean",
        "region `A` has no contact: `A.normal.mean` depends on contacts, and there are none at the end of stage `one`"},
       {"1.5", "1 0 radius 60", "A.stress.xx", NULL}, /* the last disc inside has no contact, the others have */
+      {"1.5", "0 50 radius 2\nregion B circle 0 0 radius 5", "B.stress.xx", NULL}, /* A's stress is not recorded */
       {"5", "5 0 radius 2", "A.porosity", NULL},
       {"5", "5 0 radius 2", "A.contacts", NULL},
       {"1", "0 0 radius 2", "A.stress.xx", NULL},

@@ -400,7 +400,7 @@ static void strain_without_removed_particles(void) {
   }
   words_add(&page,
             "disc 90 0 radius 1 m velocity 0 1\nregion A circle 0 0 radius 50\nrecord time A.strain.xx A.strain.xy "
-            "A.strain.yy A.strain.rotation\nstage a\ncycles 8\nstage b\nremove disc 1\ncycles 8\n"
+            "A.strain.yy A.strain.rotation A.porosity\nstage a\ncycles 8\nstage b\nremove disc 1\ncycles 8\n"
             "stage c\nremove discs 6 to 7\ncycles 8\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
@@ -410,6 +410,8 @@ static void strain_without_removed_particles(void) {
     CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.xy"), (xy + yx) * t / 2, 1e-13);
     CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.yy"), yy * t, 1e-13);
     CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.rotation"), (yx - xy) * t / 2, 1e-13);
+    const int discs = row < 9 ? 6 : row < 17 ? 5 : 4; /* inside; a removed disc covers no area */
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.porosity"), 1 - discs / 2500.0, 1e-13);
   }
   CU_ASSERT_EQUAL(result.table.row_count, 25);
   nb_result_free(&result);
@@ -587,7 +589,8 @@ static void strain_of_few_particles(void) {
 }
 
 /* A circle without particles, and a circle with one disc that has no contact. Every mean, sum and fraction without
- * terms is 0; the porosity and the void ratio follow from the areas. */
+ * terms is 0; the porosity and the void ratio follow from the areas. A region `inside` is empty, and has no area, until
+ * the boundary exists. */
 static void regions_without_contacts(void) {
   static const struct {
     const char *name;
@@ -603,11 +606,11 @@ static void regions_without_contacts(void) {
   struct nb_quantity_row row;
   words_add(&page, "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5\nshear linear\nstep 0.001\n"
                    "disc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\ndisc 20 0 radius 1 m\nregion E circle 50 0 radius 2\n"
-                   "region L circle 20 0 radius 2\n");
+                   "region L circle 20 0 radius 2\nregion I inside 0.5\n");
   for (size_t k = 0; nb_quantity_row(&row, k); k++)
     if (row.prefix && strcmp(row.prefix, "M.") == 0)
-      words_add(&page, "record E.%s L.%s\n", row.name, row.name);
-  words_add(&page, "stage a\ncycles 9\n");
+      words_add(&page, "record E.%s L.%s I.%s\n", row.name, row.name, row.name);
+  words_add(&page, "stage a\ncycles 9\nstage b\nboundary circle 0 0 radius 99\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CU_ASSERT(it.scene.column_count > 200);
   written_cycles(model, 9);
@@ -616,7 +619,10 @@ static void regions_without_contacts(void) {
     const double value = nb_quantity_now(it.scene.columns[c].quantity, model);
     double wanted = 0;
     for (size_t k = 0; k < sizeof others / sizeof *others; k++)
-      wanted = strcmp(name + 2, others[k].name) ? wanted : *name == 'E' ? others[k].empty : others[k].lone;
+      wanted = strcmp(name + 2, others[k].name) ? wanted
+               : *name == 'E'                        ? others[k].empty
+               : *name == 'L'                        ? others[k].lone
+                                                    : 0;
     const bool right = value == wanted || fabs(value - wanted) < 1e-14;
     CU_ASSERT(right);
     if (!right)

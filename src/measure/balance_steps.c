@@ -85,7 +85,7 @@ static void subtract_old_normal_energy(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++) {
     const double overlap = contacts->kept[NB_OVERLAP][c];
-    const double next = nb_is_suppressed(contacts, c) ? 0 : fmax(nb_overlap(model, c), 0);
+    const double next = nb_is_suppressed(contacts, c) ? 0 : nb_overlap(model, c);
     double history[NB_HISTORY];
     history_of(history, model, c);
     nb_sum_add(&model->terms[NB_TERM_CHANGED], -normal_energy(model, c, overlap, 0, history) / 2);

@@ -163,7 +163,7 @@ static double area_inside(const struct nb_model *model, const struct nb_region_s
   if (region->definition->kind == NB_REGION_ALL)
     return nb_area_of_disc(radius);
   const struct nb_vec x = nb_region_position(model, region, slot);
-  if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
+  if (region->radius > 0)
     return nb_area_of_lens(radius, region->radius, vec_length(vec_sub(x, region->centre)));
   return nb_area_in_polygon(x, radius, region->corners, 4);
 }
