@@ -620,9 +620,9 @@ static void regions_without_contacts(void) {
     double wanted = 0;
     for (size_t k = 0; k < sizeof others / sizeof *others; k++)
       wanted = strcmp(name + 2, others[k].name) ? wanted
-               : *name == 'E'                        ? others[k].empty
-               : *name == 'L'                        ? others[k].lone
-                                                    : 0;
+               : *name == 'E'                   ? others[k].empty
+               : *name == 'L'                   ? others[k].lone
+                                                : 0;
     const bool right = value == wanted || fabs(value - wanted) < 1e-14;
     CU_ASSERT(right);
     if (!right)

@@ -520,6 +520,25 @@ static void what_limits_the_step_in_words(void) {
     nb_stable_text(text, sizeof text, model, &rows[k].stable);
     CU_ASSERT_STRING_EQUAL(text, rows[k].text);
   }
+  const struct nb_stable apart = nb_stable_step_apart(model);
+  nb_stable_text(text, sizeof text, model, &apart);
+  CU_ASSERT_STRING_EQUAL(text, "normal motion of particles 1 and 2, as if they touched");
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A pair that touches sets the step, although the lightest two particles would give the same step. */
+static void a_listed_pair_comes_first(void) {
+  struct words page = {0};
+  struct written it;
+  char text[256];
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\nstep 0.01\n"
+                   "record time\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const struct nb_stable stable = nb_stable_step_stage(model);
+  nb_stable_text(text, sizeof text, model, &stable);
+  CU_ASSERT_STRING_EQUAL(text, "normal motion of particles 1 and 2");
   nb_model_free(model);
   written_free(&it);
 }
@@ -542,4 +561,5 @@ void suite_stability(void) {
   CU_add_test(suite, "a wall and two spheres share the limit", wall_and_two_spheres_share_the_limit);
   CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
   CU_add_test(suite, "what limits the step, in words", what_limits_the_step_in_words);
+  CU_ADD_TEST(suite, a_listed_pair_comes_first);
 }
