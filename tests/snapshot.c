@@ -91,6 +91,7 @@ static void units(void) {
     words_add(&page, "%srecord time\nstage s\ncycles 1\nsnapshot\n", pages[si]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL(written_cell(&result.snapshots[0].particles, 0, "angle"), 0); /* the scene has no rotation */
     const struct nb_table *tables[] = {&result.snapshots[0].particles, &result.snapshots[0].walls,
                                        &result.snapshots[0].contacts};
     static const char *const of_particles[] = {"1", "m", "m",   "m",     "rad", "m/s", "m/s",

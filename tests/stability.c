@@ -527,6 +527,26 @@ static void what_limits_the_step_in_words(void) {
   written_free(&it);
 }
 
+/* The message about the step has the number and the line of a particle, whatever the order of storage is. */
+static void the_particle_of_the_message(void) {
+  for (int seen = 0; seen < 2; seen++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius %d m\ndisc 9 0 radius 1 m\n"
+              "disc 29 0 radius %d m\nstep 90\nrecord time\nstage s\ncycles 1\n",
+              seen ? 3 : 1, seen ? 1 : 3);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = true});
+    CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_BROKEN);
+    const char *const words = seen ? "particle 2 (line 5): " : "particle 1 (line 4): ";
+    CU_ASSERT_EQUAL(strncmp(error.text, words, strlen(words)), 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A pair that touches sets the step, although the lightest two particles would give the same step. */
 static void a_listed_pair_comes_first(void) {
   struct words page = {0};
@@ -562,4 +582,5 @@ void suite_stability(void) {
   CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
   CU_add_test(suite, "what limits the step, in words", what_limits_the_step_in_words);
   CU_ADD_TEST(suite, a_listed_pair_comes_first);
+  CU_ADD_TEST(suite, the_particle_of_the_message);
 }

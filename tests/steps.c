@@ -490,6 +490,31 @@ static void says(const struct nb_error *error, const char *words) {
   PAIR "lattice discs 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
        "record time\nstage s\ncycles 200\n"
 
+/* A removed wall is no partner of a disc, so the step of a later stage has no limit. */
+static void a_removed_wall_limits_no_step(void) {
+  unsigned long cycles;
+  struct nb_error error;
+  ends(PAIR "disc 0 3 radius 1 m\nwall w -9 0 to 9 0 m\nstep 0.01\nrecord time\nstage a\ncycles 1\n"
+            "stage b\nremove wall w\nstep 20 per collision\ncycles 1\n",
+       &cycles, &error);
+  CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+  says(&error, "the step has no limit:");
+}
+
+/* The message about a step that `--set` gives names no line. */
+static void a_step_that_is_set_has_no_line(void) {
+  static const char *const settings[] = {"step=0.1 of stable", NULL};
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page, "%ssphere 0 3 radius 1 m\nstep 1\nrecord step\nstage s\ncycles 1\n", SPHERES);
+  written_scene_set(&it, &page, settings);
+  CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
+  CU_ASSERT_EQUAL(strncmp(error.text, "--set: the stable step", 22), 0);
+  CU_ASSERT_EQUAL(error.line, 0);
+  written_free(&it);
+}
+
 static void a_step_above_the_limit_stops_the_run(void) {
   unsigned long cycles;
   struct nb_error error;
@@ -597,6 +622,8 @@ void suite_steps(void) {
   CU_ADD_TEST(suite, a_collision_step_that_is_set_is_kept);
   CU_ADD_TEST(suite, an_overlap_of_rounding_is_none);
   CU_add_test(suite, "an infinite limit", an_infinite_limit);
+  CU_ADD_TEST(suite, a_removed_wall_limits_no_step);
+  CU_ADD_TEST(suite, a_step_that_is_set_has_no_line);
   CU_add_test(suite, "a step above the limit stops the run", a_step_above_the_limit_stops_the_run);
   CU_add_test(suite, "the step of the first stage", the_step_of_the_first_stage);
   CU_add_test(suite, "a stage is checked as it begins", a_stage_is_checked_as_it_begins);
