@@ -136,7 +136,7 @@ static void impacts_without_rebound(void) {
   HITS("ratio " ratio "\ndamping critical beyond overlap " overlap, WALL WATCHED, "stage s\ncycles 9\n")
 #define ENDS "an impact that ends, with dashpots well below critical damping"
   PARTS("hertz_deep", "@", {DEEP("0.8", "0.001"), NULL}, {DEEP("0.91288", "0.001"), ENDS}, {DEEP("1", "0.001"), ENDS},
-        {DEEP("0.88", "0.9"), NULL}, {DEEP("0.9", "0.9"), ENDS});
+        {DEEP("0.88", "0.9"), NULL}, {DEEP("0.9", "0.9"), ENDS}, {DEEP("0.1", "1e-9"), ENDS});
 #undef DEEP
 #undef ENDS
 }

@@ -143,6 +143,10 @@ static void hertz_curve(void) {
       {COLUMN(FIVE "sphere 3 -14.75 radius 0.25 a\nsphere 3 -14.375 radius 0.125 a\nsphere 3 -14.125 radius 0.125 a\n",
               "0.2", "-0.2") ONCE,
        EQUAL});
+  VALUES("hertz_curve",
+         COLUMN(FIVE SMALL("-14.5"), "0.2", "-0.2") "monitor X sphere 1 with sphere 3\nmonitor Y sphere 4 with sphere "
+                                                    "2\n" ONCE,
+         1, {"L.normal", 0, "L.overlap", 0}); /* X and Y are no contacts */
 #undef EQUAL
 #undef ORDER
 #undef TOUCH

@@ -207,6 +207,29 @@ static void angle_of_incidence_with_spin(void) {
   }
 }
 
+/* A stage has values if it ends at a time, a force or the sliding of the impact. It is not known when others end. */
+static void stages_that_end_otherwise(void) {
+  static const char *const conditions[] = {"impact.time above 0.3", "impact.shear above 0.3", "impact.normal above 0.3",
+                                           "C.sliding above 0.5",   "C.overlap above 1e-9",   "C.normal above 1e-9"};
+  for (int k = 0; k < 6; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page,
+              "units none\nmaterial m density 1 young 1e6 poisson 0.28 friction 0.2\nnormal hertz\n"
+              "shear mindlin_deresiewicz\nsphere 0 1 radius 1 m\nwall w -9 0 to 9 0 m\nmonitor C sphere 1 with wall w\n"
+              "impact C speed 1 angle 0.4\nstep 40 per collision\nrecord impact.time C.overlap C.normal C.sliding\n"
+              "stage s\nuntil %s at most 40 cycles\n",
+              conditions[k]);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("oblique_impact", &scene);
+    CU_ASSERT_EQUAL(solution_find(&solution, "impact.time in s") != NULL, k < 4);
+    solution_free(&solution);
+    written_free(&it);
+  }
+}
+
 static void other_scenes_are_refused(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 1e9, 2, 40, 400);
@@ -225,5 +248,6 @@ void suite_refs_impact(void) {
   CU_ADD_TEST(suite, sliding_of_the_linear_law);
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
   CU_ADD_TEST(suite, angle_of_incidence_with_spin);
+  CU_ADD_TEST(suite, stages_that_end_otherwise);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

@@ -195,7 +195,8 @@ static void ring_strain(void) {
   PARTS("ring_strain", RING(" velocity 0 -1e-9", "@"), {BOTH(STRAIN, ""), DAMPED},
         {"damping con1 0.9 as cs79\n" BOTH(STRAIN, ""), NULL}, {BOTH(STRAIN, " accumulated"), DAMPED});
   /* From rest, a symmetric strain e per cycle: x_N = A^N x_0, and the area by det A. With CON1 of CS79 a velocity keeps
-   * k = g/(2 - g). The inner sphere is at (1.5, 1) from the centre and has the mass 8 pi/3. */
+   * k = g/(2 - g). The inner sphere is at (1.5, 1) from the centre and has the mass 8 pi/3. The
+   * velocity of a sphere of the boundary has no effect. */
   const double xx = 1e-3, yy = -2e-3, xy = 4e-4, keep = 0.9 / 1.1, mass = 8 * pi / 3;
   double x = 1.5, y = 1, ox = 8, oy = 0, vx = 0.3, vy = -0.1, area = 128;
   for (int n = 0; n < 3; n++) { /* the positions move by the strain and by the velocity over the step */
@@ -207,7 +208,8 @@ static void ring_strain(void) {
   }
   const double energy = mass / 2 * (0.09 + 0.01) * pow(keep, 6) * pow((1 + keep) / 2, 2);
   VALUES("ring_strain",
-         "material m density 2 kn 9\nnormal linear\nsphere 2.5 3 radius 1 m velocity 0.3 -0.1\nsphere 9 2 radius 1 m\n"
+         "material m density 2 kn 9\nnormal linear\nsphere 2.5 3 radius 1 m velocity 0.3 -0.1\nsphere 9 2 radius 1 m "
+         "velocity 0 2\n"
          "sphere 1 10 radius 1 m\nsphere -7 2 radius 1 m\nsphere 1 -6 radius 1 m\nboundary circle 1 2 radius 8\n"
          "monitor D sphere 1\nmonitor E sphere 2\nmonitor C sphere 1 with sphere 2\nstep 0.1\ndamping con1 0.9 as "
          "cs79\n" BOTH(STRAIN, ""),

@@ -352,6 +352,11 @@ static void free_fall(void) {
   NEAR(fall("-0.5", "0", "5", "D.y", 2.5 * pi / w), 5 - sag, 1e-12);
   NEAR(fall("-0.5", "0", "5", "C.overlap max", 0), 2 * sag, 1e-12);
   NEAR(fall("-0.5", "0.9", "5.001", "D.y", 99), 5 - sag, 1e-12);
+  for (double ratio = 0.05; ratio < 0.96; ratio += 0.05) { /* pressed from rest */
+    char text[32];
+    snprintf(text, sizeof text, "%g", ratio);
+    NEAR(fall("-0.5", text, "5", "C.overlap max", 0), sag * (1 + exp(-pi * ratio / sqrt(1 - ratio * ratio))), 1e-12);
+  }
   /* With a dashpot of a fifth of the critical damping: the contact by the midpoint rule, from u = 0 with the speed -1. */
   double u = 0, s = -v, low = 0, t = 0;
   const double dt = 1e-5, c = 2 * 0.2 * w;
@@ -423,6 +428,19 @@ static void slide_to_roll(void) {
     if (k == 0)
       far = 7 + (end + limit * (cos(0.9 * w) - 1) + 2 * (slide + 0.9)) / 3;
   }
+  /* Only the first stage that ends below a value has a time. */
+  for (int k = 0; k < 2; k++) {
+    struct nb_solution solution;
+    struct nb_error error = {0};
+    strcpy(page, SLIDES_ON("step 0.01\n", "0.5", "4.9", "99 3 to -9 3",
+                           "stage t\nuntil C.sliding below 0.5 at most 90 cycles\n"));
+    if (k)
+      memcpy(strstr(page, "below"), "above", strlen("above"));
+    CU_ASSERT_EQUAL(refs_solve(&solution, "slide_to_roll", page, &error), NB_OK);
+    CU_ASSERT_EQUAL(!solution_find(&solution, "time in s"), k == 1);
+    CU_ASSERT_EQUAL(!solution_find(&solution, "time in t"), k == 0);
+    solution_free(&solution);
+  }
 #define LONG "a floor so long that the particle does not reach its end"
 #define FORCE(n)                                                                                                       \
   "a particle that moves along the floor without spin, with an initial normal force equal to its weight of 2 N; the "  \
@@ -481,7 +499,7 @@ static void rotation_off(void) {
   PARTS("rotation_off", ROTATES("@", ""), {"6.99 3 to 99 3", NULL}, {"7.01 3 to 99 3", LEVEL}, {"99 3 to 6.99 3", NULL},
         {"99 3 to 7.01 3", LEVEL}, {"9.94 3 to -9 3", LONG}, {"9.96 3 to -9 3", LONG}, {"-9 5 to 99 5", LEVEL});
   PARTS("rotation_off", ROTATES("-9 3 to 99 3", "stage c\n@ friction 0.5\ncycles 1\n"), {"pair m f", NULL},
-        {"pair f m", NULL}, {"pair m m", OTHERS}, {"pair f f", OTHERS});
+        {"pair f m", NULL}, {"pair m m", OTHERS}, {"pair f f", OTHERS}, {"walls stop\npair m f", OTHERS});
 #undef LEVEL
 #undef LONG
 #undef OTHERS
@@ -492,7 +510,7 @@ static void rotation_off(void) {
 #define NESTS(gravity, one, two, stages)                                                                               \
   "material m density (5/(4*pi)) kn 20\nmaterial a kn 60\nmaterial b kn 6\nnormal linear\ngravity " gravity            \
   "\ndisc 2 4 radius 2 m\nwall a " one " a\nwall b " two " b\nmonitor D disc 1\nmonitor A disc 1 with wall a\n"        \
-  "monitor B disc 1 with wall b\nstep 0.01\n" stages
+  "monitor B disc 1 with wall b\nmonitor W wall a\nstep 0.01\n" stages
 static void wedge(void) {
   const double k1 = 30, k2 = 120. / 13, n1 = -5 * (0.6 * 0.1 - 0.8), n2 = -5 * (-0.8 * 0.1 - 0.6);
   const double d1 = 2 - n1 / k1, d2 = 2 - n2 / k2;

@@ -48,6 +48,18 @@ static void path_no_slip(void) {
            {"work.shear", wt}, {"slip", -0.00025, "step", 3}, {"shear", tq / 4, "step", 3},
            {"work.shear", wq / 16, "step", 2.6}, {"work.shear", wq / 16, "step", 3.4},
            {"shear", (ts + tt) / 2, "step", 9}, {"shear", 0, "step", 0});
+    /* a contact that opens, also beyond the point where it touches, and closes again */
+    for (int beyond = 0; beyond < 2; beyond++) {
+      snprintf(page, sizeof page,
+               TOUCHES("%s", "segment q slip to -0.001 in 1 step\nsegment o overlap to %s in 1 step\n"
+                             "segment c overlap to 0.04 in 1 step\n"),
+               names[law], beyond ? "-0.01" : "0");
+      VALUES("path_no_slip", page, 1e3, {"slip in p", 0}, {"shear in p", 0}, {"work.shear in p", 0},
+             {"slip in q", -0.001}, {"shear in q", tq}, {"work.shear in q", wq}, {"slip in o", -0.001},
+             {"shear in o", 0}, {"work.shear in o", wq}, {"slip in c", -0.001}, {"shear in c", 0},
+             {"work.shear in c", wq}, {"slip", -0.001}, {"shear", 0}, {"work.shear", wq}, {"slip", 0, "step", 1},
+             {"shear", tq, "step", 3}, {"work.shear", wq, "step", 4});
+    }
     /* the limit is mu N, also for T < 0 */
     const double largest = 0.8 * hertz(0.04) / (law ? k * sqrt(0.04) : 15);
     for (int over = 0; over < 2; over++)

@@ -57,7 +57,7 @@ static double lowest_time(const struct fall *f, const struct piece *piece) {
   const double sag = f->g / (f->w * f->w), a = sag + piece->u0, b = (piece->v0 + f->b * a) / f->damped;
   const double angle = atan2(f->damped * b - f->b * a, f->damped * a + f->b * b);
   const double pi = 3.14159265358979323846;
-  return (angle > 0 ? angle : angle + pi) / f->damped;
+  return (angle + pi) / f->damped;
 }
 
 /* The duration of the piece, s; INFINITY: the piece has no end. */

@@ -28,16 +28,19 @@ struct contact {
   bool linear, scaled;
 };
 
-/* T after a fraction of the step that leads from the point `from` to `approach` and `slip`. */
+/* T after a fraction of the step that leads from the point `from` to `approach` and `slip`; 0 without contact. */
 static double force(const struct contact *contact, struct path_point from, double approach, double slip,
                     double fraction) {
   const double ds = fraction * (slip - from.slip), alpha = from.approach + fraction * (approach - from.approach);
   const double stiffness = 8 * contact->elastic.shear * sqrt(contact->elastic.radius), dn = alpha - from.approach;
+  if (!(alpha > 0))
+    return 0;
   if (contact->linear)
     return from.shear + contact->ks * ds;
   if (contact->scaled && dn < 0)
     return sqrt(alpha) * (from.shear / sqrt(from.approach) + stiffness * ds);
-  const double mean = fabs(dn) > 1e-9 * alpha ? 2. / 3 * (pow(alpha, 1.5) - pow(from.approach, 1.5)) / dn : sqrt(alpha);
+  const double before = pow(fmax(from.approach, 0), 1.5);
+  const double mean = fabs(dn) > 1e-9 * alpha ? 2. / 3 * (pow(alpha, 1.5) - before) / dn : sqrt(alpha);
   return from.shear + stiffness * mean * ds;
 }
 
@@ -67,7 +70,7 @@ static bool walk_path(const struct contact *contact, const struct nb_scene *scen
   for (size_t k = 1; path_next(&walk, now, &target); k++) {
     const double approach = target.normal_force ? path_overlap(&contact->elastic, target.normal) : target.normal;
     const double slip = target.shear_force ? slip_of_force(contact, now, approach, target.shear) : target.shear;
-    const double shear = approach > 0 ? force(contact, now, approach, slip, 1) : 0;
+    const double shear = force(contact, now, approach, slip, 1);
     done += work(contact, now, approach, slip);
     now = (struct path_point){approach, slip, path_normal(&contact->elastic, approach), shear};
     if (fabs(shear) > contact->elastic.friction * now.normal)
