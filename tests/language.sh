@@ -86,6 +86,10 @@ test ! -s "$work/said" && test -n "$command"
 result $? 'nineball --help begins with what a newcomer looks for, and with each command'
 test "$("$nineball" --help strain | grep -cE '^ *(cell|box|boundary|affine) strain: moves ')" -eq 4
 result $? 'nineball --help strain compares the four statements'
+for words in 'blue disc' 'disc blue'; do # the help on one of two words is enough
+  "$nineball" --help "$words" >"$work/said" 2>&1 && grep -q '^  disc X Y radius R' "$work/said"
+  result $? "nineball --help '$words': only one of the words is known"
+done
 "$nineball" --help strain | tr -s ' \n' '  ' >"$work/said"
 grep -qF 'With `region S all from STAGE`, `S.strain.xx`' "$work/said"
 result $? 'nineball --help strain says how a strain counts from a stage'

@@ -50,11 +50,11 @@ for command in run figure report; do
   result $? "$command: two pages of one name do not share a folder"
 done
 
-mkdir -p two/here two/there
+mkdir -p two/here two/then
 sed 's/^# .*/# First/' "$pages/asks-nothing.md" >two/here/first.md
-sed 's/^# .*/# Second/' "$pages/asks-nothing.md" >two/there/second.md
-run 2 report two/here/first.md two/there/second.md -o folders &&
-  test "$(grep -o '<th colspan="4">[a-z]*</th>' folders/index.html | tr -d '\n')" = '<th colspan="4">here</th><th colspan="4">there</th>' &&
+sed 's/^# .*/# Second/' "$pages/asks-nothing.md" >two/then/second.md
+run 2 report two/here/first.md two/then/second.md -o folders &&
+  test "$(grep -o '<th colspan="4">[a-z]*</th>' folders/index.html | tr -d '\n')" = '<th colspan="4">here</th><th colspan="4">then</th>' &&
   grep -q '<script defer src="report.js"></script>' folders/index.html && grep -qx '<h1>nineball report</h1>' folders/index.html
 result $? 'the index has the pages of each folder under its name, and its script'
 

@@ -132,6 +132,15 @@ result $? '--rounding is an option of check only'
 sed 's/^step/stop/' free.md >wrong.md
 run 2 check wrong.md --rounding all && said 'wrong.md:9:1' && ! said 'bits that'
 result $? 'a mistake in the page'
+run 2 check none.md --rounding all && said 'none.md: error: ' && ! said 'bits that'
+result $? 'a page that does not exist'
+# Nothing oscillates, so neither the frequency nor a fraction of it is known.
+{
+  sed '/^```expect/,$d; s/^record /record A.y /' free.md
+  printf '```expect\nA.y frequency expected 1 within 1 %% [x]\nB.x expected 1441.6 within 1 %% of A.y frequency [v t]\n```\n'
+} >no-value.md
+run 1 check no-value.md --rounding all && test "$(bits 1)" = 0 && test "$(bits 2)" = 0
+result $? 'a value that is not known has no bits in common'
 # A run that is aborted in every mode.
 sed 's/^disc 8 100 .*/disc 1000 0 radius 1 a velocity -0.25 0/; s/cycles 4096/cycles 9000/; s/^step 0.5/step 8/; s/^units none/units none\nallow unstable/' free.md >broken.md
 run 3 check broken.md --rounding all && ! said 'bits that'

@@ -593,7 +593,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
     bool is = part_of && rest && strcmp(rest + 1, word) == 0;
     for (int n = 0; n < 2; n++) {
       const size_t length = strlen(names[n]);
-      is = is || (length && strncmp(row.name, names[n], length) == 0 && (!row.name[length] || row.name[length] == '.'));
+      is = is || (strncmp(row.name, names[n], length) == 0 && (!row.name[length] || row.name[length] == '.'));
     }
     nb_guess_offer(guess, row.name);
     snprintf(of, sizeof of, strcmp(row.unit, "1") == 0 ? "quantity of %s" : "quantity of %s, in %s", row.of, row.unit);

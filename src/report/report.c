@@ -87,7 +87,7 @@ static bool has_own_folders(const struct nb_report *report) {
     char folder[4096];
     struct nb_error error = {NB_OK, ""};
     snprintf(folder, sizeof folder, "%.3900s/%s", report->folder, page->name);
-    for (size_t j = 0; j < k && !error.status; j++)
+    for (size_t j = 0; j < k; j++)
       if (strcmp(page->name, report->pages[j].name) == 0)
         nb_error_set(&error, NB_BAD_USE, "%s and %s have the same name, so the same output folder: rename one of them",
                      report->pages[j].path, page->path);

@@ -47,7 +47,7 @@ static void print_statement(const struct nb_outcome *outcome, const struct nb_ex
   const char *statement = outcome->page.lines[e->line - 1];
   statement += strspn(statement, " \t");
   size_t length = strcspn(statement, "#");
-  while (length > 0 && strchr(" \t", statement[length - 1]))
+  while (strchr(" \t", statement[length - 1])) /* it has a word, so this ends */
     length--;
   printf("%.*s", (int)length, statement);
 }
