@@ -72,6 +72,11 @@ printf '```scene\nstep 20 %% of critical # a percentage\n```\n' >"$work/one.md"
 "$nineball" migrate "$work/one.md" 2>"$work/said" | grep -qxF 'step 20 % of single-contact # a percentage'
 result $? 'a percentage is one value'
 
+printf '```scene\nstep\t20 %% of critical\t# a tab\n```\n```gnuplot\nprint "step.critical/s"\n```\n' >"$work/one.md"
+printf '```scene\nstep\t20 %% of single-contact\t# a tab\n```\n```gnuplot\nprint "step.single-contact/s"\n```\n' >"$work/wanted"
+"$nineball" migrate "$work/one.md" 2>"$work/said" | diff "$work/wanted" - >>"$work/said"
+result $? 'tabs stay, and a quoted column keeps the signs of its name'
+
 cat >"$work/wanted" <<'EOF'
 ```gnuplot
 print reference_D_x_1

@@ -44,7 +44,7 @@ static enum nb_global_damping take_con1(struct nb_reader *reader) {
 
 /* True if the value that begins at `number` and has just been taken has a name or ends with `%`. */
 static bool is_explicit(const struct nb_reader *reader, const struct nb_token *number) {
-  return !number || number->name || strcmp(reader->tokens[reader->next - 1].text, "%") == 0;
+  return number->name || strcmp(reader->tokens[reader->next - 1].text, "%") == 0;
 }
 
 static void take_damping(struct nb_reader *reader, struct given *given) {
@@ -74,8 +74,7 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
   given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
   const struct nb_token *const number = nb_token_peek(reader);
-  nb_take_number(reader, given->of.unit, given->of.range, &given->value);
-  given->meant = is_explicit(reader, number);
+  given->meant = nb_take_number(reader, given->of.unit, given->of.range, &given->value) && is_explicit(reader, number);
   if (word == CON1)
     given->of.global_kind = take_con1(reader);
 }

@@ -82,7 +82,7 @@ static void take_place(struct wanted *wanted, const double *lengths, size_t coun
       return;
     wanted->area = (x1 - x) * (y1 - y);
     snprintf(wanted->place, sizeof wanted->place, "box %g%s %g%s to %g%s %g%s", x, unit, y, unit, x1, unit, y1, unit);
-  } else if (values == CIRCLE && count == 3) {
+  } else if (values == CIRCLE && count == 3 && l[2] > 0) {
     wanted->area = NB_PI * l[2] * l[2];
     snprintf(wanted->place, sizeof wanted->place, "circle %g%s %g%s radius %g%s", l[0], unit, l[1], unit, l[2], unit);
   }
@@ -228,7 +228,7 @@ static void append_grading(char *hint, const struct nb_reader *reader, const str
 static void append_target(char *hint, const struct wanted *wanted) {
   if (!wanted->has_porosity)
     return;
-  if (wanted->porosity > 1 - MOST && wanted->area > 0) {
+  if (wanted->porosity > 1 - MOST) {
     nb_append(hint, NB_HINT_SIZE, "; the porosity is then %.3g", 1 - wanted->count * mean_area(wanted) / wanted->area);
     return;
   }

@@ -100,15 +100,6 @@ static const char *law_text(char text[NB_HINT_SIZE], const struct nb_law *law, c
   return text;
 }
 
-/* Reports a material without `young`. checked[index]: this material has been checked, so it is not reported again. */
-static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *checked) {
-  const struct nb_material *material = &reading->scene->materials[index];
-  if (material->young == 0 && !checked[index])
-    report(reading, material->line, "add `young E  poisson NU`, or `rigid`", "expected a material with `young` for %s",
-           law);
-  checked[index] = true;
-}
-
 /* Reports the first contact that may have two rigid sides, of two materials or of one. The arrays have the numbers of
  * particles and of walls of each material. */
 static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
@@ -143,14 +134,15 @@ static void check_shapes(struct nb_scene_reading *reading, const char *law) {
 
 static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   const struct nb_scene *scene = reading->scene;
-  bool checked[NB_MATERIALS_MAX] = {false};
   int on_particle[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
-  for (size_t k = 0; k < scene->particle_count; k++) {
-    check_material(reading, scene->particles[k].material, law, checked);
+  for (size_t k = 0; k < scene->particle_count; k++)
     on_particle[scene->particles[k].material]++;
-  }
   for (size_t w = 0; w < scene->wall_count; w++)
-    check_material(reading, scene->walls[w].material, law, checked), on_wall[scene->walls[w].material]++;
+    on_wall[scene->walls[w].material]++;
+  for (size_t m = 0; m < scene->material_count; m++)
+    if (scene->materials[m].young == 0 && (on_particle[m] || on_wall[m]))
+      report(reading, scene->materials[m].line, "add `young E  poisson NU`, or `rigid`",
+             "expected a material with `young` for %s", law);
   check_shapes(reading, law);
   check_rigid(reading, on_particle, on_wall);
 }
