@@ -535,11 +535,10 @@ static bool shows_marked(const struct nb_guess *guess) {
   char item[NB_NAME_SIZE];
   for (unsigned bit = 1; nb_item(&list, item); bit <<= 1)
     for (const char *at = note; guess->marked & bit && (at = strstr(at, item)); at++) {
-      const char before = at > note ? at[-1] : ' ', after = at[strlen(item)];
       bool quoted = false;
       for (const char *c = note; c < at; c++)
         quoted ^= *c == '`';
-      if (quoted && strchr("` ", before) && strchr("` ", after))
+      if (quoted && strchr("` ", at[-1]))
         return true;
     }
   return false;

@@ -13,7 +13,7 @@
 #include "expression.h"
 #include "old_words.h"
 
-static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+static bool is_space(char c) { return c == ' ' || c == '\t'; }
 static bool name_letter(char c) { return isalnum((unsigned char)c) || c == '_'; }
 
 bool nb_is_name(const char *text) {
@@ -171,7 +171,7 @@ static void join_per_cycle(struct nb_reader *reader) {
     return;
   const struct nb_token *last = &reader->tokens[reader->count - 1];
   struct nb_token *per = &reader->tokens[reader->count - 2];
-  if (per->name || last->name || strcmp(per->text, "per") != 0)
+  if (strcmp(per->text, "per") != 0)
     return;
   per->text = NB_PER_CYCLE;
   per->length = last->column + last->length - per->column;
@@ -184,7 +184,7 @@ static size_t word_length(const char *at, const char *equals, bool rest) {
   size_t n = 0;
   for (int depth = 0; at[n] && at[n] != '#' && (rest || depth > 0 || (!is_space(at[n]) && at + n != equals)); n++)
     depth += at[n] == '(' ? 1 : at[n] == ')' && depth > 0 ? -1 : 0;
-  while (n > 0 && is_space(at[n - 1]))
+  while (is_space(at[n - 1]))
     n--;
   return n;
 }
@@ -234,14 +234,14 @@ bool nb_line_read(struct nb_reader *reader, size_t line) {
   bool source = false, room = true;
   nb_line_begin(reader, line);
   for (const char *at = text; room;) {
-    at += strspn(at, " \t\r");
+    at += strspn(at, " \t");
     if (at == equals)
-      at++, at += strspn(at, " \t\r");
+      at++, at += strspn(at, " \t");
     if (!*at || *at == '#')
       break;
     const bool rest = reader->count == 3 && is_let(reader);
     source = source || *at == '[';
-    const size_t length = source ? strcspn(at, " \t\r#") : word_length(at, equals, rest);
+    const size_t length = source ? strcspn(at, " \t#") : word_length(at, equals, rest);
     room = add_token(reader, text, at, length, source);
     if (!room) {
       const struct nb_token token = nb_token_at(text, at, length);
@@ -289,9 +289,7 @@ bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const
   return true;
 }
 
-/* Copies a hint without the units of the numbers between its backquotes, for a page without units: `radius 5 mm`
- * becomes `radius 0.005`. */
-static const char *without_units(char *bare, const char *hint) {
+const char *nb_hint_without_units(char *bare, const char *hint) {
   char number[NB_NAME_SIZE], text[NB_NAME_SIZE];
   bool quoted = false;
   *bare = '\0';
@@ -339,7 +337,7 @@ bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
   if (hint && strncmp(hint, NB_RANDOM_PACKING, strlen(NB_RANDOM_PACKING)) == 0)
     hint = nb_fill_hint(packing, reader);
   hint = now ? now : hint;
-  hint = hint && reader->unitless ? without_units(bare, hint) : hint;
+  hint = hint && reader->unitless ? nb_hint_without_units(bare, hint) : hint;
   nb_mistake(reader->mistakes, reader->page, reader->line, column, length, hint, "%s", text);
   return nb_fail_silently(reader);
 }
@@ -370,7 +368,7 @@ static void two_numbers_hint(char *hint, const struct nb_reader *reader, const c
 static bool number_hint(char *hint, const struct nb_reader *reader, const char *text) {
   struct nb_unit read;
   const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
-               all = n + point + strspn(text + n + point, "0123456789");
+               all = n + point + strspn(text + n + point, ".0123456789");
   const bool unit = nb_unit_read(&read, text + n), comma = point && !text[all];
   if (n == 0 || n >= 40 || !(unit || comma))
     return false;
@@ -382,7 +380,7 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
              nb_quantity_read(&value, number, false, &read) == NB_READ ? value : 0);
     return nb_quantity_read(&value, number, false, &read) == NB_READ;
   }
-  if (memchr(text, '.', n) && all > n + 1)
+  if (memchr(text, '.', all) && all > n + 1)
     return two_numbers_hint(hint, reader, text, n), true;
   const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
                      : all > n + 1 ? "write `%.*s.%s`, without a comma"
@@ -555,10 +553,11 @@ static const char *context_hint(const struct nb_reader *reader, char *hint, cons
  * there is none. `complete`: the line should end here. Then only a note about the word can be right. */
 static const char *word_hint(const struct nb_reader *reader, char *hint, const char *word, bool complete) {
   const struct nb_synonym *const synonym = nb_synonym(word);
-  const bool known = synonym && (synonym->note || !complete);
-  if (synonym && synonym->note)
-    return nb_synonym_hint(hint, word);
-  return (!complete && nb_example_hint(hint, reader)) || (known && nb_synonym_hint(hint, word)) ? hint : NULL;
+  const bool note = synonym && synonym->note;
+  if (complete && !note)
+    return NULL;
+  const char *const example = note ? NULL : nb_example_hint(hint, reader);
+  return example ? example : nb_synonym_hint(hint, word);
 }
 
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...) {
@@ -599,8 +598,7 @@ void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint
 }
 
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what) {
-  if (!reader->bad)
-    reader->next = (size_t)(token - reader->tokens);
+  reader->next = (size_t)(token - reader->tokens);
   return nb_expected(reader, hint, "%s", what);
 }
 

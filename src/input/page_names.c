@@ -9,18 +9,18 @@
 #include "core/clean.h"
 #include "reader.h"
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /* The next word of a text before a comment; *length: its length, 0 at the end. */
 static const char *next_word(const char *at, size_t *length) {
   while (is_blank(*at))
     at++;
-  *length = strcspn(at, " \t\r#");
+  *length = strcspn(at, " \t#");
   return at;
 }
 
 bool nb_page_statement(const struct nb_page *page, size_t line, const char *verb, const char **rest) {
-  const int kind = page->kind_of && line > 0 && line <= page->line_count ? page->kind_of[line - 1] : 0;
+  const int kind = page->kind_of ? page->kind_of[line - 1] : 0;
   size_t length;
   if (kind != 1 + NB_BLOCK_SCENE && kind != 1 + NB_BLOCK_CONTACT_TEST)
     return false;
@@ -60,25 +60,15 @@ bool nb_page_name_of(char name[NB_NAME_SIZE], const struct nb_page *page, const 
 }
 
 /* The name of the last stage or segment of the page. */
-static bool last_stage(char name[NB_NAME_SIZE], const struct nb_page *page, size_t line) {
-  const char *rest;
-  size_t length, last = 0;
+static bool last_stage(char name[NB_NAME_SIZE], const struct nb_page *page) {
+  const char *rest, *last = "";
+  size_t length;
   for (size_t k = 1; k <= page->line_count; k++)
     if (nb_page_statement(page, k, "stage", &rest) || nb_page_statement(page, k, "segment", &rest))
-      last = k;
-  if (!last || last == line ||
-      !(nb_page_statement(page, last, "stage", &rest) || nb_page_statement(page, last, "segment", &rest)))
-    return false;
-  rest = next_word(rest, &length);
+      last = rest;
+  rest = next_word(last, &length);
   snprintf(name, NB_NAME_SIZE, "%.*s", length < NB_NAME_SIZE ? (int)length : 0, rest);
   return nb_is_name(name);
-}
-
-/* The name of the file without its folder and `.md`. */
-static bool page_name(char name[NB_NAME_SIZE], const struct nb_page *page) {
-  const char *const slash = strrchr(page->path, '/'), *const file = slash ? slash + 1 : page->path;
-  const size_t length = strlen(file);
-  return length > 3 && snprintf(name, NB_NAME_SIZE, "%.*s", (int)length - 3, file) < NB_NAME_SIZE;
 }
 
 /* Appends ` with mu=0.1`, for each sweep of the page its first name and the first value. */
@@ -104,14 +94,14 @@ static void append_runs(char *text, const struct nb_page *page) {
 static bool find_name(char name[NB_NAME_SIZE], const struct nb_page *page, size_t line, const char *word,
                       const char *before, const char *text) {
   if (strcmp(word, "THIS-PAGE") == 0)
-    return page_name(name, page);
+    return snprintf(name, NB_NAME_SIZE, "%s", page->name) > 0;
   if (strcmp(word, "NAME") == 0 && strncmp(text, "start ", 6) == 0)
-    return last_stage(name, page, line);
+    return last_stage(name, page);
   if (strcmp(word, "MATERIAL") == 0)
     return nb_page_name_of(name, page, "material", line);
   if (strcmp(word, "GRADING") == 0)
     return nb_page_name_of(name, page, "grading", line);
-  return strcmp(word, "STAGE") == 0 && strcmp(before, "in") == 0 && last_stage(name, page, line);
+  return strcmp(word, "STAGE") == 0 && strcmp(before, "in") == 0 && last_stage(name, page);
 }
 
 /* True for a word in capitals that stands for a value: `MATERIAL`, `X`. After a number `N` is a unit, and after `monitor`

@@ -142,6 +142,9 @@ bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; s
 /* Reports a mistake at a token; NULL: after the last token. */
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+/* Copies a hint without the units of the numbers between its backquotes, for a page without units: `radius 5 mm` becomes
+ * `radius 0.005`. */
+const char *nb_hint_without_units(char *bare, const char *hint);
 /* Reports a mistake at the first word of a line that was read before; line 0: a mistake of the whole page. */
 bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

@@ -102,7 +102,7 @@ static bool contact_hint(char *hint, const struct nb_scene_reading *reading, con
 
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested) {
-  char hint[NB_HINT_SIZE];
+  char hint[NB_HINT_SIZE], bare[NB_HINT_SIZE];
   struct nb_mistakes *mistakes = reading->reader.mistakes;
   if (nb_quantity_find(quantity, reading->scene, requested->name))
     return true;
@@ -113,8 +113,9 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   if (!nb_old_name(hint, requested->name) &&
       !(until && (until_hint(hint, reading, requested->name) || contact_hint(hint, reading, requested->name))))
     nb_quantity_hint(hint, reading->scene, requested->name);
-  nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
-             "expected a quantity, found `%s`", requested->name);
+  nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length,
+             reading->reader.unitless ? nb_hint_without_units(bare, hint) : hint, "expected a quantity, found `%s`",
+             requested->name);
   return false;
 }
 

@@ -147,7 +147,7 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   }
   size_t length = strcspn(best, "$\n");
   if (best[length] == '$') /* the page may lack this name: the clause is left out, and the two spaces before it */
-    while (length > 0 && strncmp(best + length, "  ", 2) != 0)
+    while (strncmp(best + length, "  ", 2) != 0)
       length--;
   snprintf(hint, NB_HINT_SIZE, "for example `");
   append_example(hint, reader, best, length);

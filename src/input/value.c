@@ -206,10 +206,10 @@ static bool radian_hint(char *hint, const char *n, const char *unit, const struc
   return it->unit.angle && strcmp(unit, "deg") == 0;
 }
 
-/* Writes the hint for `1 percent`; false: the number has another unit. */
-static bool percent_hint(char *hint, const char *n, const struct nb_token *next) {
+/* Writes the hint for `1 percent`; false: the number has another unit, or cannot be a percentage. */
+static bool percent_hint(char *hint, const char *n, const struct nb_token *next, const struct wanted *it) {
   snprintf(hint, NB_HINT_SIZE, "write `%.40s %%`", n);
-  return next && is_percent(next->text);
+  return next && is_percent(next->text) && (is_dimensionless(it) || it->relative);
 }
 
 /* Writes the hint for `1 m/2`, a quotient outside parentheses; false: no operator follows the unit. */
@@ -232,7 +232,7 @@ static bool limit_follows(const struct nb_reader *reader) {
 static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
-  return percent_hint(hint, n, next) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
+  return percent_hint(hint, n, next, it) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
          (reader->unitless && radian_hint(hint, n, unit, it)) ||
          (next && !is_number(next) && !limit_follows(reader) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
