@@ -768,6 +768,13 @@ END
   sed 's/velocity -9 0/fixed/' meet.md >rests.md && "$nineball" explain rests.md >out 2>"$why" && grep -qx '  collision, Hertz: 0.362718, 36.3 steps; particle 2 and wall v at 2' out
 result $? 'the names of those that collide'
 
+# The rows of errors are for numbers of steps from 2^k up to 2^(k + 1), without this end.
+sed 's/^step .*/step 32 per collision/' springs.md >exact.md
+"$nineball" explain exact.md >out 2>"$why" && grep 'accuracy: with' out | sed 's/ steps .*//' | diff -u /dev/fd/3 - 3<<'END' >>"$why"
+  accuracy: with 32 to 64
+END
+result $? 'errors at an edge of a row'
+
 # Spheres that overlap have a stiffness, so there is a stable step: N' = 2 E* (R* overlap)^(1/2) with the modulus E* = 1000/(2 * 0.96), and
 # 2 (m/(2 N'))^(1/2) with m = 4 pi/3.
 sed 's/^sphere 20 20.*/sphere 28.1 20 radius 1 m/; s/velocity -9 0//' meet.md >pressed.md

@@ -694,15 +694,15 @@ static void warnings_of_removed_particles(void) {
     const char *quantity, *expectation, *wanted; /* the quantity of the warning; NULL: no warning */
     bool first;                                  /* the first stage removes the disc */
   } cases[] = {
-      {"A.vx", "A.vx in one below 3", "`A.vx` is 0 from stage `two` on", false},
-      {"C.normal", "report C.normal", "`C.normal` is 0 from stage `two` on", false},
-      {"E.normal", "report E.normal", "`E.normal` is 0 from stage `two` on", false},
-      {"F.normal", "report F.normal", "for a value before, write `F.normal in one`", false},
+      {"A.vx", "A.vx in one below 3", "`A.vx` is 0 from stage `three` on", false},
+      {"C.normal", "report C.normal", "`C.normal` is 0 from stage `three` on", false},
+      {"E.normal", "report E.normal", "`E.normal` is 0 from stage `three` on", false},
+      {"F.normal", "report F.normal", "for a value before, write `F.normal in two`", false},
       {"A.vx", "report A.vx", "`A.vx` is 0 in all stages, because this line removes its particle in the first one",
        true},
       {"E.normal", "report E.normal", "`E.normal` is 0 in all stages", true},
       {"C.normal", "C.normal expected 0 within 0 [t]", NULL, false},
-      {"A.vx B.vx", "B.vx expected 0 within 9 [t]", "`A.vx` is 0 from stage `two` on", false},
+      {"A.vx B.vx", "B.vx expected 0 within 9 [t]", "`A.vx` is 0 from stage `three` on", false},
       {"A.x", "report A.x", NULL, false},
       {"A.y", "report A.y", NULL, false},
       {"A.angle", "report A.angle", NULL, false},
@@ -718,7 +718,7 @@ static void warnings_of_removed_particles(void) {
              "disc 0 1 radius 1 m velocity $v 0\nmonitor B disc 1\nmonitor A disc 2\nmonitor C disc 1 with disc 2\n"
              "monitor E disc 2 with disc 1\nmonitor F disc 2 with wall floor\nmonitor W wall floor\nstep 0.001\nrecord "
              "cycle %s\nstage one\n%scycles 5\n"
-             "stage two\n%scycles 5",
+             "stage two\ncycles 5\nstage three\n%scycles 5",
              cases[k].quantity, cases[k].first ? remove : "", cases[k].first ? "" : remove);
     carry_out(&outcome, scene, cases[k].expectation, NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
