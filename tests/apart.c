@@ -122,6 +122,18 @@ static void a_removed_wall_collides_with_none(void) {
     }
 }
 
+/* A stage with a step `of stable` begins with a search. Disc 3 leaves disc 2 so slowly that the run has made no other
+ * search; with it, omega^2 would be 3 k/m = 24 and not 16. */
+static void a_stage_searches_for_its_step(void) {
+  unsigned long cycles;
+  struct nb_error error;
+  CU_ASSERT_EQUAL(ends(PAIR "disc 0 0 radius 1 m\ndisc 2 0 radius 1 m\ndisc 4.095 0 radius 1 m velocity 0.5 0\n"
+                            "record step\nstep 0.001\nstage a\ncycles 40\nstage b\nstep 0.5 of stable\ncycles 1\n",
+                       &cycles, &error),
+                  NB_OK);
+  CU_ASSERT_DOUBLE_EQUAL(step, 0.25, 1e-15);
+}
+
 /* With the step that the message advises, the run continues. The advised step has the unit of the step in the page, or
  * the same words `of …` or `per collision`. */
 static void the_advised_step_is_stable(void) {
@@ -167,5 +179,6 @@ void suite_apart(void) {
   CU_add_test(suite, "pairs that could collide later", pairs_that_may_meet);
   CU_ADD_TEST(suite, a_removed_particle_collides_with_none);
   CU_ADD_TEST(suite, a_removed_wall_collides_with_none);
+  CU_ADD_TEST(suite, a_stage_searches_for_its_step);
   CU_ADD_TEST(suite, the_advised_step_is_stable);
 }

@@ -287,6 +287,27 @@ static void a_gap_ends_the_history(void) {
   done(&result, &it);
 }
 
+/* After a gap the same approach and slip give the same forces, with every law that has a history. */
+static void a_contact_after_a_gap_is_new(void) {
+  static const char *const laws[] = {"mindlin", "mindlin_scaled", "mindlin_deresiewicz", "randall", "randall_literal"};
+  for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
+    struct written it;
+    struct nb_result result;
+    char text[1024];
+    snprintf(text, sizeof text,
+             STEEL "shear %s\nrecord normal shear\nsegment a overlap to 1 um slip by 0.1 um in 1 step\n"
+                   "segment b slip by -0.05 um in 1 step\nsegment c overlap to 0 um in 1 step\n"
+                   "segment d overlap to 1 um slip by 0.1 um in 1 step\nsegment e slip by -0.05 um in 1 step\n",
+             laws[k]);
+    run(&result, &it, text);
+    CU_ASSERT(cell(&result, 1, 1) > 0 && cell(&result, 2, 1) < cell(&result, 1, 1) && cell(&result, 3, 1) == 0);
+    for (size_t r = 1; r < 3; r++)
+      for (size_t c = 0; c < 2; c++)
+        CU_ASSERT_DOUBLE_EQUAL(cell(&result, r + 3, c), cell(&result, r, c), 1e-9 * cell(&result, 1, 0));
+    done(&result, &it);
+  }
+}
+
 /* The shear force of a contact with cohesion c stays at the limit mu N + c. */
 static void cohesion_raises_the_limit(void) {
   struct nb_result result;
@@ -383,6 +404,23 @@ static void the_stick_radius_in_both_senses(void) {
     CU_ASSERT_EQUAL(stick[0][r], stick[1][r]);
 }
 
+/* If N and T grow in proportion, nothing slips as long as T < mu N, however near T comes to mu N: the stick radius is
+ * the radius of the contact. */
+static void nothing_slips_below_the_limit(void) {
+  static const double below[] = {1e-2, 1e-4, 1e-7};
+  for (size_t k = 0; k < sizeof below / sizeof *below; k++) {
+    struct written it;
+    struct nb_result result;
+    char text[512];
+    snprintf(text, sizeof text,
+             EXACT "record radius radius.stick\nsegment a normal to 60 N shear to %.17g N in 1 step\n",
+             0.3 * 60 * (1 - below[k]));
+    run(&result, &it, text);
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, 1, 1), cell(&result, 1, 0), 1e-9 * cell(&result, 1, 0));
+    done(&result, &it);
+  }
+}
+
 /* With a wall there is one particle. The array of particles has room for more, and what is there must not limit the
  * displacements at which a force is sought. */
 static void a_force_between_a_sphere_and_a_wall(void) {
@@ -424,4 +462,6 @@ void suite_contact_test(void) {
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);
   CU_add_test(suite, "the stick radius in both senses", the_stick_radius_in_both_senses);
+  CU_add_test(suite, "nothing slips below the limit", nothing_slips_below_the_limit);
+  CU_add_test(suite, "a contact after a gap is new", a_contact_after_a_gap_is_new);
 }

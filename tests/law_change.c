@@ -253,6 +253,33 @@ static void another_law_has_no_history(void) {
   }
 }
 
+/* The memory before a change of the law has no effect after it. The wall moves to and fro by less each time, so the law
+ * needs more than two or three pieces for the last motion, which goes beyond the earlier ones. */
+static void another_memory_is_used_at_once(void) {
+  double force[3];
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0 friction 0.01\nnormal hertz\n"
+              "shear mindlin_deresiewicz memory %d\nsphere 0 0.5 radius 1 m\nwall w -9 0 to 9 0 m\n"
+              "monitor C sphere 1 with wall w\nstep 0.01\nrecord C.shear\nstage a\ncycles 1\nstage b\n"
+              "shear mindlin_deresiewicz memory %d\nwall w velocity 0.25 0\ncycles 1\n",
+              k == 1 ? 3 : 2, k == 2 ? 2 : 64);
+    for (int turn = 0; turn < 6; turn++)
+      words_add(&page, "stage s%d\nwall w velocity %g 0\ncycles 1\n", turn,
+                turn == 5 ? 0.08 : (turn % 2 ? 1 : -1) * (0.2 - 0.03 * turn));
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    force[k] = written_last(&result, "C.shear");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT_EQUAL(force[0], force[1]);
+  CU_ASSERT(fabs(force[2] - force[0]) > 1e-3 * fabs(force[0])); /* two pieces are too few */
+}
+
 /* Whether a scene has friction or a shear law at some time, and its first law without stored energy that is not that of
  * the start, or that begins to act only when a stage sets friction. */
 static void laws_of_all_stages(void) {
@@ -353,4 +380,5 @@ void suite_law_change(void) {
               the_force_jumps_and_the_energy_is_counted);
   CU_add_test(suite, "increments without a shear law", increments_without_a_shear_law);
   CU_add_test(suite, "another law or memory begins without a history", another_law_has_no_history);
+  CU_ADD_TEST(suite, another_memory_is_used_at_once);
 }

@@ -136,8 +136,8 @@ static void skins(void) {
   }
 }
 
-/* There is memory for removed particles if a stage removes some; for centred dashpots if the same stage has dashpots; for
- * rotation if some particle has a spin. */
+/* There is memory for removed particles or walls if a stage removes some; for centred dashpots if the same stage has
+ * dashpots; for rotation if some particle has a spin. */
 static void memory_for_stages(void) {
   static const struct {
     const char *stages;
@@ -146,8 +146,12 @@ static void memory_for_stages(void) {
               {"stage a\nremove disc 1\ncycles 1\nstage b\ncycles 1\n", true, false, false},
               {"stage a\ncycles 1\nstage b\nremove disc 1\ncycles 1\n", true, false, false},
               {"damping stiffness 0.1\n" STAGE, false, false, false},
+              {"damping mass 0.1\ndamping centred\n" STAGE, false, false, false},
               {"damping stiffness 0.1\ndamping centred\n" STAGE, false, true, false},
               {"stage a\ncycles 1\nstage b\ndamping stiffness 0.1\ndamping centred\ncycles 1\n", false, true, false},
+              {"wall v 20 0 to 20 9 m\nwall w 30 0 to 30 9 m\nstage a\ncycles 1\nstage b\nwall v velocity 1 0\n"
+               "remove wall w\ncycles 1\n",
+               false, false, false},
               {"disc 1 7 radius 1 m spin 1\ndisc 7 7 radius 1 m\n" STAGE, false, false, true},
               {"disc 1 7 radius 1 m\ndisc 7 7 radius 1 m spin 1\n" STAGE, false, false, true}};
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
@@ -159,6 +163,7 @@ static void memory_for_stages(void) {
     CU_ASSERT_EQUAL(model->particles.ahead != NULL, rows[r].ahead);
     CU_ASSERT_EQUAL(model->particles.spin != NULL, rows[r].spin);
     CU_ASSERT_EQUAL(model->particles.angle != NULL, rows[r].spin);
+    CU_ASSERT_EQUAL(model->walls.removed != NULL, strstr(rows[r].stages, "remove wall") != NULL);
     nb_model_free(model), written_free(&it);
   }
 }

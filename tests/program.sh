@@ -718,6 +718,9 @@ grep -q 'no shear force' out && echo 'friction that a stage reduces is called 0'
 out '  work and energy, updated every cycle by one thread'
 out '  0.75, --set'
 out '  stable: 0.5; the step is 1.5 of it; limited by normal motion of particle 1 and wall w; allowed to be unstable'
+sed '/^allow unstable/d; s/^stage s$/&\nallow unstable/' longer.md >allowed.md
+run 0 explain allowed.md
+out '  stable: 0.5; the step is 2 of it; limited by normal motion of particle 1 and wall w; allowed to be unstable'
 # A disc of mass 1 in a box, with springs of the length 0.9375 to two walls: B = 2*16*0.9375^2/(4*7.5), and with the fixed
 # disc T = (2/B)^(1/2).
 printf '```scene\nunits none\nlet d = 1/pi\nmaterial m density $d kn 16 ks 4\nmaterial n density $d kn 16 ks 4 friction 0.5\nnormal linear\nshear linear\nbox 0 0 to 1.875 4 m\ndisc 0.9375 2 radius 1 m\ndisc 9 9 radius 1 n fixed\nstep 0.1\nrecord time\nstage s\nservo xx 1 on box through box at most 1e-6\ncycles 1\n```\n' >squeezed.md

@@ -134,7 +134,7 @@ static const char *ratio_hint(char *hint, const struct nb_reader *reader, const 
 static const char *quotient_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                                  const char *text) {
   const char *const from = strchr(text, '(') ? strchr(text, '(') + 1 : text;
-  const size_t length = strcspn(from, "/,-+)");
+  const size_t length = strcspn(from, "/,-+");
   const char *const second = from + length + 1 + (from[length] && from[length + 1] == ' ');
   char one[2 * NB_NAME_SIZE], other[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;

@@ -210,7 +210,7 @@ static void note_series(struct nb_check *check, const struct nb_page_run *run, c
   const bool force = strcmp(quantity->kind->name, "normal") == 0,
              overlap = strcmp(quantity->kind->name, "overlap") == 0;
   const double series = force ? 2 : 0.5;
-  if (check->mark == NB_FAIL && quantity->monitor >= 0 && (force || overlap) && !nb_is_extreme(e->measure.reducer) &&
+  if (check->mark == NB_FAIL && (force || overlap) && !nb_is_extreme(e->measure.reducer) &&
       strcmp(run->scene.normal, "linear") == 0 && fabs(ratio - series) <= near * series &&
       !has_other_cause(&run->scene))
     nb_append(

@@ -56,12 +56,6 @@ void nb_contact_test_free(struct nb_contact_test *contact_test) {
   contact_test->now = contact_test->trial = (struct nb_contact_test_state){0};
 }
 
-/* Makes a history empty. A history longer than NB_HISTORY doubles is empty when its first double is 0; a shorter
- * history is empty when all its doubles are 0. */
-static void clear_history(double *history, int doubles) {
-  memset(history, 0, (doubles > NB_HISTORY ? 1 : (size_t)doubles) * sizeof *history);
-}
-
 /* Computes contact_test->trial: the contact after a step from contact_test->now to this approach and slip, in m. */
 static void try_step(struct nb_contact_test *contact_test, double approach, double slip) {
   const struct nb_contact_test_state *now = &contact_test->now;
@@ -76,12 +70,12 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
   next->n = contact_test->normal->normal(contact_test->pair, overlap, dn, next->normal_history);
   next->n.overlap = overlap;
   next->s = (struct nb_shear){0};
-  if (touching || contact_test->shear_doubles <= NB_HISTORY)
+  if (touching)
     next->s = contact_test->shear->shear(contact_test->pair, next->n,
                                          (slip - now->slip) * nb_touch_fraction(overlap, dn), next->shear_history);
   if (!touching) {
-    clear_history(next->normal_history, contact_test->normal_doubles);
-    clear_history(next->shear_history, contact_test->shear_doubles);
+    memset(next->normal_history, 0, (size_t)contact_test->normal_doubles * sizeof(double));
+    memset(next->shear_history, 0, (size_t)contact_test->shear_doubles * sizeof(double));
   }
   nb_rounding_begin(&contact_test->rounding, NULL);
 }
@@ -93,7 +87,7 @@ static void accept_step(struct nb_contact_test *contact_test) {
   const double fraction = nb_touch_fraction(after->n.overlap, after->approach - before.approach);
   contact_test->work_normal += (before.n.force + after->n.force) / 2 * (after->n.overlap - before.n.overlap);
   contact_test->work_shear += (before.s.force + after->s.force) / 2 * (after->slip - before.slip) * fraction;
-  contact_test->dissipated += contact_test->shear->dissipative ? after->s.dissipated : 0;
+  contact_test->dissipated += after->s.dissipated; /* 0 with laws that are not dissipative */
   nb_rounding_begin(&contact_test->rounding, NULL);
   contact_test->step++;
   contact_test->now = contact_test->trial;

@@ -27,7 +27,7 @@ struct history {
 static struct history history_of(const struct nb_contact_test *contact_test) {
   struct history history = {0};
   const struct nb_contact_test_state *now = &contact_test->now;
-  if (contact_test->shear->pieces_of && now->n.overlap > 0)
+  if (contact_test->shear->pieces_of)
     history.count =
         contact_test->shear->pieces_of(contact_test->pair, now->n, now->shear_history, history.x, history.D);
   return history;

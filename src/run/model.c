@@ -177,7 +177,7 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
   model->critical = nb_step_single_contact(model);
   model->damping = scene->stages[0].damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
-  model->stability->allow_unstable = scene->allow_unstable;
+  model->stability->allow_unstable = scene->allow_unstable || scene->stages[0].allow_unstable;
   model->rotates = true;
   model->plan.keep_all = options && options->keep_all;
   model->states = options ? options->states : NULL;
