@@ -332,13 +332,13 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
     interpolate_gravity(model, stage->gravity.ramp ? fraction : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
-  model->changes->changing = ramps;
+  model->changes->changing = ramps && fraction < 1;
   if (begins && !nb_affine_moves(model)) /* this cycle was the last one with an affine motion */
     model->all_affine = false;
   const bool plan = change_properties(model, fraction);
   if (plan && plan_again(model, error))
     return error->status;
-  if (plan || begins) /* not in each cycle of a ramp */
+  if (plan || begins || !model->changes->changing) /* not in each cycle of a ramp */
     nb_hooks_plan(model);
   return NB_OK;
 }
