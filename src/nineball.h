@@ -643,6 +643,7 @@ struct nb_result {
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, in cycle 7, at time 1e-06 s" */
   double stability;                  /* largest ratio of the step to the guaranteed stable step in any check, 1 */
   double seconds;                    /* wall-clock time, s */
+  bool shortened;                    /* a trial ended a stage before its end */
   struct nb_warnings warnings;       /* found during the run */
 };
 

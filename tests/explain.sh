@@ -5,6 +5,7 @@
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 . "${srcdir:-.}/tests/tap"
+top=$(pwd)
 cd "$work" || exit 1
 
 # explained NAME TEXT [STATES]: `explain NAME.md` must print standard input. Measured times, the errors of ACCURACY.md and the numbers of
@@ -843,6 +844,17 @@ result $? 'two warnings of the start'
 sed 's/^segment .*/segment slide shear to 9 N hold normal in 9 steps/' wall.md >slides.md
 "$nineball" explain slides.md >out 2>"$why" && sed -n '/^cost/,$p' out | grep -qx '  the time of a step cannot be measured: segment `slide` (line 7), step 1 of 9: a shear force of 1 N cannot be reached; .*'
 result $? 'a contact test that fails in its first step'
+
+# The trial was aborted before it shortened a stage, so the run will be, too. A trial that shortened one says nothing.
+for page in unreachable overlap; do
+  "$nineball" explain "$top/tests/aborted/$page.md" >out 2>"$why" &&
+    message=$(sed -n 's/^.*: run aborted: //p' "$top/tests/aborted/$page.md") && test -n "$message" &&
+    grep -qxF "  the run will be aborted: $message" out
+  result $? "explain $page.md: the run will be aborted"
+done
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor D disc 1\nstep 1e-3\nrecord time\nstage a\nrecord every 1000000 cycles\ncycles 100000000\nstage b\nuntil D.x above 1 at most 10 cycles\n```\n' >late.md
+"$nineball" explain late.md >out 2>"$why" && grep -q 'measured just now' out && ! grep 'will be aborted' out
+result $? 'a trial that shortened a stage before it was aborted'
 
 # A contact test warns of friction that has no effect, as a scene does; the contact is between two materials, or one and itself.
 for pair in 'disc 1 n:`m` and `n`' 'wall m:`m` and `m`'; do

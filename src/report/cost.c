@@ -204,6 +204,7 @@ enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *ru
     *error = cost->reference;
   else
     status = nb_run(&trial.result, scene, options, &progress, error);
+  cost->aborts = error->status && !trial.result.shortened;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     spent += trial.result.stages ? trial.result.stages[s].seconds : 0;
   cost->seconds.from += nb_processor_clock() - began - spent;

@@ -22,6 +22,7 @@ struct nb_cost {
   struct nb_bounds cycles, updates; /* contact updates */
   struct nb_bounds seconds;  /* processor time, s, with reading, reference, tables and verdict, without the figure */
   struct nb_bounds measured; /* the part of `seconds` that the cycles take; 0: could not be measured */
+  bool aborts;               /* the trial was aborted before it shortened any stage, so the run will be, too */
   struct nb_error reference; /* the error of the reference, with which the run is aborted; NB_OK: none */
   double reading;            /* time per run to start the program and to read the page, s; the caller sets it */
   struct nb_length *lengths; /* for each stage; owned */

@@ -653,6 +653,8 @@ static void explain_cost(FILE *out, const struct nb_cost *cost, const struct nb_
             cycle, 1e6 * cost->measured.to / cost->cycles.to, cost->seconds.to - cost->measured.to);
   else
     fprintf(out, "\n  the time of a %s cannot be measured: %s\n", cycle, error->text);
+  if (cost->measured.to > 0 && cost->aborts)
+    fprintf(out, "  the run will be aborted: %s\n", error->text);
   if (cost->reference.status)
     fprintf(out, "  the run will be aborted, because its reference fails: %s\n", cost->reference.text);
 }

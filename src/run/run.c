@@ -37,14 +37,17 @@ static bool is_trial(const struct run *run) {
   return run->reporter.progress && run->reporter.progress->stage_seconds > 0;
 }
 
-/* Reports progress. False: the stage of a trial has used up its time. */
-static bool report_progress(struct run *run, const struct nb_stage *stage) {
+enum { CONTINUES, ENDED, EXHAUSTED };
+
+/* Reports progress. Ends the stage of a trial that has used up its time. */
+static void report_progress(struct run *run, const struct nb_stage *stage, int *outcome) {
   if (run->until_report-- > 0)
-    return true;
+    return;
   const unsigned long done = run->model->stage_cycle, most = 100000 / (run->model->contacts.count + 20);
   run->until_report = is_trial(run) && done < most ? done : most;
-  return nb_reporter_update(&run->reporter, stage->name,
-                            (double)(run->model->cycle - run->first_cycle) / (double)run->planned);
+  const double fraction = (double)(run->model->cycle - run->first_cycle) / (double)run->planned;
+  if (!nb_reporter_update(&run->reporter, stage->name, fraction) && *outcome == CONTINUES)
+    *outcome = ENDED, run->result->shortened = true;
 }
 
 bool nb_condition_met(const struct nb_condition *condition, const struct nb_model *model) {
@@ -227,8 +230,6 @@ static void warn_of_porosity(struct nb_model *model, const struct nb_stage *stag
   }
 }
 
-enum { CONTINUES, ENDED, EXHAUSTED };
-
 /* Runs one cycle and records a row if one is due. Sets *outcome, which says whether the stage continues, unless the
  * cycle fails. */
 static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct nb_error *error) {
@@ -371,8 +372,8 @@ static enum nb_status run_stage(struct run *run, int index, bool resumed, struct
   run->tracks = tracks_extremes(run, stage);
   while (!status && outcome == CONTINUES) {
     status = run_cycle(run, index, &outcome, error);
-    if (!report_progress(run, stage) && !status)
-      outcome = ENDED;
+    if (!status)
+      report_progress(run, stage, &outcome);
     if (run->checkpoint.options && !status && outcome == CONTINUES)
       status = check_in(run, false, error);
   }
