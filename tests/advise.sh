@@ -171,7 +171,7 @@ until     D.x above 0.2 m at most 100000 cycles
 ```
 EOF
 whole() { sed 's/^  time: .* s (.* to .*) instead of .* s (.* to .*), median and range of 5 runs on .*/  time/; s/^  [0-9]* trials in .* s$/  trials/; /^status /d' "$why"; }
-run 0 advise si.md --quantity 'D.x max' --within '2 %' -o si && whole >given
+run 0 advise si.md --quantity 'D.x max' --within '2 %' -o si --jobs 1 && whole >given && sed -n '/ trials in /s/ in .*//p' "$why" >trials
 rows si/advice.tsv | awk -F '\t' -v quote="'" '
   { row[NR] = $0; updates[NR] = $5 }
   $10 == "chosen" { c = NR }
@@ -192,6 +192,9 @@ rows si/advice.tsv | awk -F '\t' -v quote="'" '
     print "look at si/advice.svg; all settings that were tried are in si/advice.tsv"
   }' | diff -u - given >"$why" && grep -q 'set .k=2 N/m. --set refine=4$' given && grep -q 'refine=8$' given
 result $? 'the whole output of a call'
+# Each trial counts, whether it ran alone or beside others.
+run 0 advise si.md --quantity 'D.x max' --within '2 %' --jobs 4 && sed -n '/ trials in /s/ in .*//p' "$why" | diff -u trials - >"$why" && test -s trials
+result $? 'the number of trials does not depend on --jobs'
 { sed 's/^# page .*/# page/; 6,$d' si/advice.tsv && sed '1,/^\$chosen/d' si/advice.gp | sed '1,/^EOD/d'; } | diff -u - /dev/fd/3 >"$why" 3<<EOF
 # nineball $("$nineball" --version | sed -n 's/^nineball //p')
 # page

@@ -11,6 +11,7 @@
 
 #include "../src/input/reader.h"
 #include "../src/run/checkpoint.h"
+#include "../src/run/plan.h"
 #include "../src/run/restart.h"
 #include "every_page.h"
 #include "suites.h"
@@ -404,6 +405,27 @@ static void altered_values_are_refused(void) {
   }
 }
 
+/* A checkpoint only reads the variables of the model: a second one, without a cycle between them, equals the first. */
+static void saving_changes_nothing(void) {
+  struct words words = {0};
+  struct written it;
+  struct nb_error error;
+  struct nb_store stores[2] = {{0}, {0}};
+  words_add(&words, "%s%s", elastic, spheres[0]);
+  written_scene(&it, &words);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 3); /* no search since the first deep overlap */
+  CU_ASSERT(nb_deep_count(model) > 0);
+  for (int k = 0; k < 2; k++)
+    nb_model_store(&stores[k], model);
+  CU_ASSERT_EQUAL_FATAL(stores[0].value_count, stores[1].value_count);
+  CU_ASSERT_EQUAL(memcmp(stores[0].values, stores[1].values, stores[0].value_count * sizeof *stores[0].values), 0);
+  nb_store_free(&stores[0]), nb_store_free(&stores[1]);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 static void interrupted_in_the_middle(void) {
   static const struct {
     const char *head;
@@ -559,6 +581,7 @@ void suite_checkpoint(void) {
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
   CU_ADD_TEST(suite, altered_values_are_refused);
   CU_add_test(suite, "special scenes interrupted and continued", interrupted_in_the_middle);
+  CU_ADD_TEST(suite, saving_changes_nothing);
   CU_ADD_TEST(suite, a_collision_step_that_is_set);
   CU_ADD_TEST(suite, a_checkpoint_is_not_replaced);
   CU_ADD_TEST(suite, a_page_that_starts_from_another);

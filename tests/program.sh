@@ -570,7 +570,7 @@ run 0 -h
 out 'usage: nineball COMMAND'
 run 2 check --threads many "$pages/passes.md"
 said 'found `many`'
-run 2 check --threads 0 "$pages/passes.md"
+run 2 check --threads 0 --tap "$pages/passes.md"
 said 'after --threads'
 run 2 check --isa mmx "$pages/passes.md"
 said 'expected `--isa plain`, `avx2` or `avx512`, found `mmx`'

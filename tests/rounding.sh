@@ -54,6 +54,10 @@ sed 's/^A.x expected/ \t&/; s/exact.  *#/exact] \t #/' free.md >tabs.md
 run 0 check tabs.md --rounding all && sed -n '/bits that do not depend/,$p' "$why" | grep -q '^    53  A.x expected 512 within 0 .exact.$'
 result $? 'an expectation is printed without the tabs around it'
 
+sed 's/^disc 0 0 .*/&\ndisc 0 1 radius 1 a/' free.md >deep.md
+run 1 check deep.md --rounding all && test "$(grep -c '^deep.md:[0-9]*: warning: particle 2 overlaps particle 1 (line 6) too much at the start' "$why")" -eq 1
+result $? 'the warnings of the page, once'
+
 run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >parts &&
   grep -qx '  with one part of the cycle rounded up and down, bits of: B.x expected 1441.6 within 1e-9 .v t.' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
   test "$(sed 's/^ *[0-9]*  //' parts | sort | uniq -d | wc -l)" -eq 0
