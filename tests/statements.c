@@ -262,8 +262,8 @@ static void bounds_of_quantities(void) {
       ROCK "box -9 -9 to 9 9 rock\ngrading g 0.1 1\nlattice discs 2 by 1 radius 1 rock\nmonitor A disc 1\n"
            "monitor S wall south\nmonitor C disc 1 with disc 2\nmonitor G grading g\nregion M all\n" END,
       ROCK "periodic cell -9 -9 to 9 9\n" END,
-      "units none\nmaterial m density 1 kn 1 ks 1 friction 1\nwall w -9 0 to 9 0 m\ndisc 0 1 radius 1 m\n"
-      "monitor C disc 1 with wall w\nimpact C speed 1 angle (pi/6)\nrecord cycle\nstep 1e-3\nstage go\ncycles 1\n",
+      ("units none\nmaterial m density 1 kn 1 ks 1 friction 1\nwall w -9 0 to 9 0 m\ndisc 0 1 radius 1 m\n"
+       "monitor C disc 1 with wall w\nimpact C speed 1 angle (pi/6)\nrecord cycle\nstep 1e-3\nstage go\ncycles 1\n"),
       "path\nunits none\nmaterial m kn 1\ncontact disc 1 m with wall m\nsegment a slip by 1 in 1 steps\n",
   };
   size_t checked = 0;
