@@ -184,26 +184,32 @@ static void mean_restitution(void) {
   CU_ASSERT(fabs(average(10, 60) - 0.9356) < 5e-5);
 }
 
+/* The solution for a sphere that strikes a wall with this spin, in a stage with this end. */
+static struct nb_solution impact_on_wall(double spin, const char *end) {
+  struct words page = {0};
+  struct written it;
+  struct refs_scene scene;
+  words_add(&page,
+            "units none\nmaterial m density 1 young 1e6 poisson 0.28 friction 0.2\nnormal hertz\n"
+            "shear mindlin_deresiewicz\nsphere 0 1 radius 1 m spin %g\nwall w -9 0 to 9 0 m\n"
+            "monitor C sphere 1 with wall w\nimpact C speed 1 angle 0.4\nstep 40 per collision\n"
+            "record impact.angle impact.time C.overlap C.normal C.sliding\nstage s\n%s\n",
+            spin, end);
+  written_scene(&it, &page);
+  scene.scene = it.scene;
+  const struct nb_solution solution = refs_solution("oblique_impact", &scene);
+  written_free(&it);
+  return solution;
+}
+
 /* The angle of incidence is that between the velocity of the centre and the normal. It is not below 0 if a spin reverses
  * the velocity of the point of contact. */
 static void angle_of_incidence_with_spin(void) {
   static const double spins[] = {-3, -0.1, 0, 0.1, 3};
   for (size_t k = 0; k < sizeof spins / sizeof *spins; k++) {
-    struct words page = {0};
-    struct written it;
-    struct refs_scene scene;
-    words_add(&page,
-              "units none\nmaterial m density 1 young 1e6 poisson 0.28 friction 0.2\nnormal hertz\n"
-              "shear mindlin_deresiewicz\nsphere 0 1 radius 1 m spin %g\nwall w -9 0 to 9 0 m\n"
-              "monitor C sphere 1 with wall w\nimpact C speed 1 angle 0.4\nstep 40 per collision\n"
-              "record impact.angle\nstage s\ncycles 40\n",
-              spins[k]);
-    written_scene(&it, &page);
-    scene.scene = it.scene;
-    struct nb_solution solution = refs_solution("oblique_impact", &scene);
+    struct nb_solution solution = impact_on_wall(spins[k], "cycles 40");
     NEAR(refs_value(&solution, "impact.angle"), 0.4, 1e-14);
     solution_free(&solution);
-    written_free(&it);
   }
 }
 
@@ -212,21 +218,11 @@ static void stages_that_end_otherwise(void) {
   static const char *const conditions[] = {"impact.time above 0.3", "impact.shear above 0.3", "impact.normal above 0.3",
                                            "C.sliding above 0.5",   "C.overlap above 1e-9",   "C.normal above 1e-9"};
   for (int k = 0; k < 6; k++) {
-    struct words page = {0};
-    struct written it;
-    struct refs_scene scene;
-    words_add(&page,
-              "units none\nmaterial m density 1 young 1e6 poisson 0.28 friction 0.2\nnormal hertz\n"
-              "shear mindlin_deresiewicz\nsphere 0 1 radius 1 m\nwall w -9 0 to 9 0 m\nmonitor C sphere 1 with wall w\n"
-              "impact C speed 1 angle 0.4\nstep 40 per collision\nrecord impact.time C.overlap C.normal C.sliding\n"
-              "stage s\nuntil %s at most 40 cycles\n",
-              conditions[k]);
-    written_scene(&it, &page);
-    scene.scene = it.scene;
-    struct nb_solution solution = refs_solution("oblique_impact", &scene);
+    char end[64];
+    snprintf(end, sizeof end, "until %s at most 40 cycles", conditions[k]);
+    struct nb_solution solution = impact_on_wall(0, end);
     CU_ASSERT_EQUAL(solution_find(&solution, "impact.time in s") != NULL, k < 4);
     solution_free(&solution);
-    written_free(&it);
   }
 }
 

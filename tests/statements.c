@@ -226,6 +226,29 @@ static void the_wrong_place(void) {
   CU_ASSERT(wrong > 100);
 }
 
+enum { NAMES_MAX = 400 };
+
+static bool is_listed(char names[NAMES_MAX][2 * NB_NAME_SIZE], size_t count, const char *name) {
+  size_t k = 0;
+  while (k < count && strcmp(names[k], name) != 0)
+    k++;
+  return k < count;
+}
+
+/* Lists the quantities of a scene and its monitors A, S, C, G and M; returns their number. */
+static size_t quantities_of(char names[NAMES_MAX][2 * NB_NAME_SIZE], const struct nb_scene *scene) {
+  static const char *const owners[] = {"", "A.", "S.", "C.", "G.", "M."};
+  struct nb_quantity_row row;
+  struct nb_quantity quantity;
+  size_t count = 0;
+  for (size_t o = 0; o < sizeof owners / sizeof *owners; o++)
+    for (size_t k = 0; nb_quantity_row(&row, k) && count < NAMES_MAX; k++) {
+      snprintf(names[count], sizeof names[count], "%s%s", owners[o], row.name);
+      count += nb_quantity_find(&quantity, scene, names[count]) && !is_listed(names, count, names[count]);
+    }
+  return count;
+}
+
 /* True if a list has a name, or `NAME.*` for a name of that family, or `*.NAME` for its last part. */
 static bool has_name(const char *list, const char *name) {
   const char *const dot = strrchr(name, '.');
@@ -257,7 +280,7 @@ static const char *const bounded[] = {
 };
 
 static void bounds_of_quantities(void) {
-  static const char *const owners[] = {"", "A.", "S.", "C.", "G.", "M."};
+  static char names[NAMES_MAX][2 * NB_NAME_SIZE];
   static const char *const scenes[] = {
       ROCK "box -9 -9 to 9 9 rock\ngrading g 0.1 1\nlattice discs 2 by 1 radius 1 rock\nmonitor A disc 1\n"
            "monitor S wall south\nmonitor C disc 1 with disc 2\nmonitor G grading g\nregion M all\n" END,
@@ -268,52 +291,25 @@ static void bounds_of_quantities(void) {
   };
   size_t checked = 0;
   for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
-    struct nb_quantity_row row;
     struct words page = {0};
     struct written it;
     words_add(&page, "%s", scenes[k]);
     written_scene(&it, &page);
-    for (size_t n = 0; nb_quantity_row(&row, n); n++)
-      for (size_t o = 0; o < sizeof owners / sizeof *owners; o++) {
-        struct nb_quantity quantity;
-        char name[2 * NB_NAME_SIZE];
-        unsigned bounds = 0;
-        snprintf(name, sizeof name, "%s%s", owners[o], row.name);
-        if (!nb_quantity_find(&quantity, &it.scene, name))
-          continue;
-        for (size_t b = 0; b < sizeof bounded / sizeof *bounded; b++)
-          bounds |= has_name(bounded[b], name) ? 1U << b : 0;
-        if (nb_quantity_bounds(quantity) != bounds)
-          printf("# the bounds of %s\n", name);
-        CU_ASSERT_EQUAL(nb_quantity_bounds(quantity), bounds);
-        checked++;
-      }
+    const size_t count = quantities_of(names, &it.scene);
+    for (size_t n = 0; n < count; n++) {
+      struct nb_quantity quantity;
+      unsigned bounds = 0;
+      CU_ASSERT_FATAL(nb_quantity_find(&quantity, &it.scene, names[n]));
+      for (size_t b = 0; b < sizeof bounded / sizeof *bounded; b++)
+        bounds |= has_name(bounded[b], names[n]) ? 1U << b : 0;
+      if (nb_quantity_bounds(quantity) != bounds)
+        printf("# the bounds of %s\n", names[n]);
+      CU_ASSERT_EQUAL(nb_quantity_bounds(quantity), bounds);
+    }
+    checked += count;
     written_free(&it);
   }
   CU_ASSERT(checked > 300);
-}
-
-enum { NAMES_MAX = 400 };
-
-static bool is_listed(char names[NAMES_MAX][2 * NB_NAME_SIZE], size_t count, const char *name) {
-  size_t k = 0;
-  while (k < count && strcmp(names[k], name) != 0)
-    k++;
-  return k < count;
-}
-
-/* Lists the quantities of a scene and its monitors A, S, C, G and M; returns their number. */
-static size_t quantities_of(char names[NAMES_MAX][2 * NB_NAME_SIZE], const struct nb_scene *scene) {
-  static const char *const owners[] = {"", "A.", "S.", "C.", "G.", "M."};
-  struct nb_quantity_row row;
-  struct nb_quantity quantity;
-  size_t count = 0;
-  for (size_t o = 0; o < sizeof owners / sizeof *owners; o++)
-    for (size_t k = 0; nb_quantity_row(&row, k) && count < NAMES_MAX; k++) {
-      snprintf(names[count], sizeof names[count], "%s%s", owners[o], row.name);
-      count += nb_quantity_find(&quantity, scene, names[count]) && !is_listed(names, count, names[count]);
-    }
-  return count;
 }
 
 /* Runs a scene with two stages, which records the names from `from` to `to`, and gets their last values. */
