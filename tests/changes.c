@@ -82,6 +82,19 @@ static void the_point_of_central_gravity_stays(void) {
   } of[] = {{"", "0 -8", true},     {"", "8 8", true},
             {"", "0 8", false},     {"stage b\ngravity 0 0\ncycles 1\n", "0 -8", false},
             {"ramp ", "1 8", true}, {"ramp ", "0 8", false}};
+  struct words metres = {0};
+  struct written other;
+  struct nb_result none;
+  struct nb_error moves = {0};
+  words_add(&metres, "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 3 m m\nstep 1 s\nrecord time\nstage a\n"
+                     "gravity centripetal 2 m/s2 about 0.5 m -8 mm\ncycles 1\nstage b\n"
+                     "gravity centripetal 1 m/s2 about 0.5 m 7 m\ncycles 1\n");
+  written_scene(&other, &metres);
+  CU_ASSERT_EQUAL(nb_run(&none, &other.scene, NULL, NULL, &moves), NB_BAD_USE);
+  CU_ASSERT_STRING_EQUAL(moves.text,
+                         "line 10: the point of central gravity moves from (0.5, -0.008) to (0.5, 7) m. Expected the "
+                         "same point, or a stage in between with `gravity` and two zeros");
+  nb_result_free(&none), written_free(&other);
   for (size_t n = 0; n < sizeof of / sizeof *of; n++) {
     const bool ramp = strcmp(of[n].between, "ramp ") == 0;
     struct words page = {0};

@@ -207,10 +207,12 @@ static void a_page_that_has_changed(void) {
   static const char *const files[] = {"", " and the file with `.old` after its name", "",
                                       " and the file without `.old` at the end of its name"};
   save(&it, path), save(&it, path);
-  for (int kind = 0; kind < 6; kind++)
+  for (int kind = 0; kind < 7; kind++)
     for (int k = 0; k < 4; k++) {
       unlink(path), unlink(old);
+      it.scene.stage_count = kind == 6 ? 1 : 2; /* the last kind: stage `b` is new */
       save(&it, k < 2 ? path : old);
+      it.scene.stage_count = 2;
       if (k == 1 || k == 3)
         written_text(k == 1 ? old : path, "x");
       if (kind == 0)
@@ -225,7 +227,11 @@ static void a_page_that_has_changed(void) {
           wanted, sizeof wanted,
           "the page has changed since %s was saved, %s: restore the text of the page, or remove this file%s and run "
           "the page without --resume",
-          k < 2 ? path : old, places[kind < 2 ? kind : 2], files[k]);
+          k < 2 ? path : old,
+          places[kind < 2    ? kind
+                 : kind == 6 ? 1
+                             : 2],
+          files[k]);
       CU_ASSERT_STRING_EQUAL(error.text, wanted);
       *a = first, *b = second;
       it.scene.columns[0].name[0] = 't'; /* `time` */

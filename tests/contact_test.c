@@ -4,6 +4,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <signal.h>
 #include <string.h>
 #include <time.h>
 
@@ -234,6 +235,48 @@ static void progress_of_segments(void) {
   done(&result, &it);
 }
 
+static void ask_to_stop(void *data, const char *segment, double fraction, double seconds) {
+  volatile sig_atomic_t *const stop = data;
+  (void)fraction, (void)seconds;
+  *stop = strcmp(segment, "b") == 0;
+  nanosleep(&(struct timespec){.tv_nsec = 110000000}, NULL);
+}
+
+/* A signal after the first step of segment `b`, which is step 3 of the test, is seen after the next step. */
+static void a_signal_stops_the_test(void) {
+  volatile sig_atomic_t stop = 0;
+  const struct nb_options options = {.threads = 1, .checkpoint = {.stop = &stop}};
+  const struct nb_progress progress = {.call = ask_to_stop, .data = (void *)&stop};
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {0};
+  words_add(&page, STEEL "segment a overlap to 1 um in 2 steps\nsegment b overlap to 2 um in 9 steps\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, &options, &progress, &error), NB_BROKEN);
+  CU_ASSERT_STRING_EQUAL(error.text,
+                         "stopped by a signal after step 4; a contact test cannot be continued, so run it again");
+  CU_ASSERT(result.cycles == 4 && result.stages[1].cycles == 2 && result.seconds >= 0.3);
+  done(&result, &it);
+}
+
+/* A trial ends a segment when its time is over. It shortens a segment of two steps, but not one of a single step. */
+static void a_trial_shortens_segments(void) {
+  static const struct nb_progress progress = {.stage_seconds = 1e-9};
+  for (int steps = 1; steps < 3; steps++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(&page, STEEL "segment a overlap to 1 um in %d step\nsegment b overlap to 3 um in 1 step\n", steps);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, &progress, &error), NB_OK);
+    CU_ASSERT(result.stages[0].cycles == 1 && result.stages[1].cycles == 1 && result.shortened == (steps > 1));
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 1), 3e-6, 1e-20);
+    done(&result, &it);
+  }
+}
+
 /* Prescribed shear forces at the friction limit are reached to rounding. */
 static void the_limit_is_reached(void) {
   struct written it;
@@ -358,9 +401,12 @@ static void the_traction_is_mindlins(void) {
   const struct nb_table *table;
   const char *name;
   CU_ASSERT_FATAL(nb_snapshot_part(&result.snapshots[0], 0, &name, &table) && strcmp(name, "traction") == 0);
+  CU_ASSERT(result.snapshots[0].stage == 1 && table->row_count == 401);
   const double pi = acos(-1), scale = 3 * 0.3 * n / (2 * pi * a * a * a);
   for (size_t r = 0; r < table->row_count; r++) {
     const double *row = table->values + 4 * r, s = row[0] * row[0];
+    CU_ASSERT(table->stage[r] == 1 && table->cycle[r] == 2 && table->time[r] == 0);
+    CU_ASSERT_DOUBLE_EQUAL(row[0], a * sin(pi / 2 * (double)r / 400), 1e-12 * a); /* from the centre to the edge */
     const double q = scale * (sqrt(fmax(a * a - s, 0)) - sqrt(fmax(c * c - s, 0)));
     CU_ASSERT_DOUBLE_EQUAL(row[2], q, 1e-6 * scale * a); /* (1e-12)^(1/2), from the root at r = c */
     CU_ASSERT_DOUBLE_EQUAL(row[3], scale * sqrt(fmax(a * a - s, 0)), 1e-6 * scale * a);
@@ -372,6 +418,7 @@ static void the_traction_is_mindlins(void) {
   CU_ASSERT_EQUAL_FATAL(table->row_count, 4);
   for (size_t r = 0; r < 4; r++) {
     const double radius[] = {0, c, c, a};
+    CU_ASSERT(table->stage[r] == 1 && table->cycle[r] == 2 && table->time[r] == 0);
     CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r + 1], radius[r], 1e-9 * a);
     CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r], radius[r] * radius[r] / 7.5e-3, 1e-9 * a * a / 7.5e-3);
     CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r + 2], D[r], 1e-9);
@@ -456,6 +503,8 @@ void suite_contact_test(void) {
   CU_ADD_TEST(suite, forces_are_sought_within_the_smaller_diameter);
   CU_ADD_TEST(suite, a_contact_of_two_materials);
   CU_ADD_TEST(suite, progress_of_segments);
+  CU_ADD_TEST(suite, a_signal_stops_the_test);
+  CU_ADD_TEST(suite, a_trial_shortens_segments);
   CU_add_test(suite, "cohesion raises the limit", cohesion_raises_the_limit);
   CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);

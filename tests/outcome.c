@@ -212,6 +212,9 @@ static void warnings_of_ends(void) {
       {"5", "A.x below 6 and time above 0.1  at most 4 cycles",
        "stage `two` ended in cycle 1, because its condition was met before the stage began: A.x is 5.3, below 6, time "
        "is 0.3, above 0.1; `time` counts from the start of the run, `stage.time` from the start of the stage"},
+      {"5", "stage.time below 1  at most 4 cycles", /* counts from the start of the stage as it is */
+       "stage `two` ended in cycle 1, because its condition was met before the stage began: stage.time is 0.1, below "
+       "1"},
       {"5", "time above 0.25  at most 4 cycles", NULL}, /* met in the first cycle, but not before */
       {"5", "time above 0.1 and A.x above 5.25  at most 4 cycles", NULL},
       {"5", "time above 0.1  every 2 cycles  at most 4 cycles",

@@ -223,6 +223,28 @@ static void files_that_are_replaced(void) {
   unlink(path), unlink(link);
 }
 
+/* A file without permission to write is not replaced, although its folder could be written. An administrator may write
+ * everything, so the process gives up its rights. */
+static void files_without_permission(void) {
+  char path[PATH], wanted[2 * PATH];
+  int status;
+  in_folder(path, "a");
+  snprintf(wanted, sizeof wanted, "cannot write %s: Permission denied", path);
+  written_text(path, "old");
+  CU_ASSERT(chmod(path, 0444) == 0 && chmod(folder, 0777) == 0);
+  fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    struct nb_save save;
+    struct nb_error error = {NB_OK, ""};
+    if (geteuid() == 0 && setuid(65534) != 0)
+      _exit(1);
+    _exit(nb_save_replace_begin(&save, path, &error) == NB_BAD_USE && strcmp(error.text, wanted) == 0 ? 0 : 2);
+  }
+  CU_ASSERT(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  CU_ASSERT(written_is(path, "old") && unlink(path) == 0);
+}
+
 /* A folder is created with those above it. Folders that exist are accepted, also through a link; a file is refused. */
 static void folders_are_created(void) {
   static const struct {
@@ -255,6 +277,7 @@ void suite_output_file(void) {
   CU_ADD_TEST(suite, files_that_cannot_be_written);
   CU_ADD_TEST(suite, files_that_become_too_large);
   CU_ADD_TEST(suite, files_that_are_replaced);
+  CU_ADD_TEST(suite, files_without_permission);
   CU_ADD_TEST(suite, folders_are_created);
   CU_ADD_TEST(suite, errors_of_the_system);
   CU_ADD_TEST(suite, all_files_are_closed);

@@ -68,6 +68,31 @@ static void contact_updates_of_a_stage(void) {
   written_free(&it);
 }
 
+/* A trial ends each stage when its time is over, here after the first cycle. It shortens a stage of two cycles, but not
+ * one of a single cycle, and adds no warning about the end of a stage. The stage has its snapshot. */
+static void a_trial_shortens_stages(void) {
+  static const struct nb_progress progress = {.stage_seconds = 1e-9};
+  for (int cycles = 1; cycles < 3; cycles++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(&page,
+              SCENE "stage a\ncycles 1\nstage b\nuntil time above 0.1 at most 9 cycles\nsnapshot\nstage c\ncycles %d\n"
+                    "stage d\ncycles 1\n",
+              cycles);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, &progress, &error), NB_OK);
+    CU_ASSERT_EQUAL(result.cycles, 4);
+    for (int s = 0; s < 4; s++)
+      CU_ASSERT_EQUAL(result.stages[s].cycles, 1);
+    CU_ASSERT_EQUAL(result.shortened, cycles > 1);
+    CU_ASSERT(result.warnings.count == 0 && result.snapshot_count == 1);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 static void walls_keep_their_velocity(void) {
   struct words page = {0};
   struct written it;
@@ -527,6 +552,7 @@ void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
   CU_ADD_TEST(suite, contact_updates_of_a_stage);
+  CU_ADD_TEST(suite, a_trial_shortens_stages);
   CU_add_test(suite, "walls keep their velocity until a stage changes it", walls_keep_their_velocity);
   CU_add_test(suite, "a stage ends when all conditions hold", a_stage_ends_when_all_conditions_hold);
   CU_add_test(suite, "the time of a stage begins with the stage", time_of_a_stage);
