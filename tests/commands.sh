@@ -740,6 +740,123 @@ $ --help momentum
           momentum.angular, quantity of the scene, in kg.m2/s: angular momentum of all free particles
             about the origin, counterclockwise
 = 0
+$ --help GX
+    gravity GX GY
+        Sets a uniform acceleration of all free particles; default none. In a stage it changes from
+        this stage on.
+= 0
+$ --help SXX
+    boundary stress SXX SYY {shear SXY}
+        Makes the boundary's particles free and applies a stress to them, from this stage on. The
+        force on each is this stress times the part of the polygon through their centres that belongs
+        to the particle.
+= 0
+$ --help spacing
+    lattice discs|spheres {square} {hexagonal} NX by NY {from X Y} radius R {spacing S} MATERIAL
+          spacing S: a length above 0; without it: 2R. Distance of the centres; at 2R they touch.
+= 0
+$ --help 'amplitude max'
+          max, after the quantity of an expectation: the largest value of the recorded rows
+          max, of expressions: see nineball --help expressions
+          amplitude, after the quantity of an expectation: half the difference between the largest and
+            the smallest value
+= 0
+$ --help MEASURE | sed -n '1,9p'
+    write `region M circle 40 mm 40 mm radius 30 mm`, or `region M all`, then `record M.porosity M.coordination M.stress.mean`
+    region NAME circle X Y radius R {rings N} {from STAGE} | box X1 Y1 to X2 Y2 {from STAGE} | inside
+      F {rings N} {from STAGE} | all {from STAGE}
+        Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre
+        is. Place: the scene; a page with `start`, before its first stage.
+    report MEASURE
+        Writes the measure to values.tsv and to the verdict, and checks nothing.
+    MEASURE within TOLERANCE
+        The computed value agrees with the reference; a residual should be 0. TOLERANCE: `0.1 %` or
+= 0
+$ --help COLUMN
+    QUANTITY versus COLUMN {in STAGE} within TOLERANCE
+        A curve agrees with that of the reference at every row. COLUMN is the independent variable.
+        `0.5 % of peak` is a fraction of the largest magnitude of the reference.
+= 0
+$ --help lost
+    `region M all`, then `M.contacts.lost`
+          contacts.lost, quantity of a region: number of contacts lost since the stage that `from`
+            names, else the start
+    `lost` of version 0.3 is `dissipated` now
+= 0
+$ --help 'boundary fixed'
+    boundary fixed
+        Fixes the boundary's particles from this stage on. Place: a stage.
+  
+          stage     rest
+            boundary fixed
+            cycles  10
+  
+= 0
+$ --help reverse
+    reverse velocities
+        Changes the sign of all velocities and spins, also those of walls, at the beginning of this
+        stage. Without friction and damping the particles then retrace their motion. Place: a stage.
+  
+          stage     back
+            reverse velocities
+            cycles  10
+  
+= 0
+$ --help stage
+    stage NAME
+        Begins a stage. The statements below belong to it, up to the next `stage`. Place: the scene; a
+        page with `start`, before its first stage; a stage.
+          NAME: a name for the stage.
+  
+          stage     strike
+  
+    start PAGE stage NAME {with NAME=VALUE …}
+          stage NAME: The run begins at the end of that stage of the other page.
+          stage.time, quantity of the scene, in s: time since the stage began
+        --stage NAME        the stage at whose end the state is taken (default: the last one) (state)
+= 0
+$ --help unbalanced-force
+    `unbalanced.max` is the largest unbalanced force over the largest contact force [CS79]; `M.unbalanced.mean`, with `region M all`, is the ratio of the means, PFC's average ratio
+          unbalanced.max, quantity of the scene: largest unbalanced force on a particle over largest
+            contact force, dF/F of [CS79 table 1]; infinite if forces act but all contact forces are
+            0, 0 if no force acts. The force of an oscillation crosses zero in motion, so a wait for
+            rest is `until unbalanced.max below 1e-4 and energy.kinetic below VALUE and contacts above
+            0`
+= 0
+$ --help energy.kinetc
+! nineball: `energy.kinetc` is not a word of pages; did you mean `energy.kinetic`?; nineball --help scene lists all words, nineball laws the laws
+= 2
+$ --help constnat
+! nineball: `constnat` is not a word of pages; did you mean `constant`?; nineball --help scene lists all words, nineball laws the laws
+= 2
+$ --help strain | sed -n '1,26p'
+  
+  Which strain
+  
+    Four statements of a stage impose a strain rate. The list says what each of them moves, and when
+    to use it:
+  
+          cell strain: moves the periodic cell and, with it, all particles. For a sample without walls
+            or edges: compression and shear at uniform strain. Needs `periodic cell`.
+          box strain: moves the four walls of a box, without shear; the walls push the particles. For
+            a biaxial test between walls, as in the laboratory. Needs `box`.
+          boundary strain: moves the outermost particles of an assembly; contacts carry the motion
+            inwards. For the round assemblies of the thesis. Needs `boundary circle`.
+          affine strain: moves the free particles inside, in addition to their own motion. Use it with
+            `boundary strain` at the same rate, so that the assembly deforms as a whole at once. Needs
+            no other statement; not possible with a cell.
+  
+    Strains count from the start of the run. With `region S all from STAGE`, `S.strain.xx` and
+    `S.strain.yy` count from the beginning of STAGE. The height of a box after one stage and after an
+    earlier one is compared in a block `expect`: `box.height last in LATER expected 0.98 of box.height
+    last in EARLIER within 1 % [SOURCE]`; `box.width` likewise.
+  
+    cell strain EXX EYY {shear EXY} {c12 C} {c21 C}
+        Strains the periodic cell about its centre, from this stage on. The strain rate is imposed on
+        all particles as an affine motion [R89 4.43, 4.44]. Place: a stage.
+    box strain EXX EYY
+        Moves the four walls of the box with this strain rate about the centre of the box, from this
+= 0
 $ --help quantities dashpot
     `monitor C disc 1 with disc 2`, then `C.dashpot.normal`
           dashpot.normal, quantity of a contact, in N: normal force of the dashpot, D_n [CS79 26]
@@ -795,7 +912,7 @@ $ --help scene | sed -n '1,12p'
     `without it` gives the default; an argument without default is required, unless `|` in the syntax
     makes it one of several. `$NAME` stands for the value that a line `let` or `sweep` above gives to
 = 0
-$ --help units | sed -n '1,12p'
+$ --help units | sed -n '1,26p'
     units none|si
         Whether numbers have units. With `si`, the default, each number that has a dimension has a
         unit. With `none` all numbers are written without a unit, in consistent units such as those of
@@ -808,6 +925,20 @@ $ --help units | sed -n '1,12p'
   
   Numbers, units and expressions
   
+    A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in
+    parentheses; one unit may follow each. Operators and functions stand in parentheses: `radius
+    (R/2)`, `cycles (2*n)`, `velocity (v*cos(angle)) m/s 0 m/s`. Where a whole number is needed, the
+    value of an expression may differ from it by rounding, that is by up to 1e-12 of it: `cycles (0.1
+    ms/dt)`.
+  
+    A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u
+    or µ, m, c, k, M, G (deg has none) and powers from 1 to 9. These are joined by `.` (times) and `/`
+    (over): `0.3 mm`, `2.7 g/cm3`, `4 N.m`, `5 1/s`. `%` and `ppm` are factors, rad is 1 and deg is
+    pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are powers of ten of the SI
+    unit. With `units none` all numbers are written without a unit; `%` and `ppm` may still follow
+    them, and angles are radians.
+  
+    Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$`
 = 0
 $ --help expect | sed -n '1,30p'
   
