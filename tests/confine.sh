@@ -155,9 +155,12 @@ why=$work/said
 for how in landlock bwrap; do
   NINEBALL_CONFINE=$how figure cases/nothing.md -o out
   if grep -q 'cannot be confined here' said; then
+    # A kernel that has Landlock, of which syscall 444 returns the version, must confine gnuplot.
     # Where bubblewrap starts another program, it must start gnuplot, too.
     if test "$how" = bwrap && bwrap --ro-bind / / --unshare-all --cap-drop ALL true 2>/dev/null; then
       result 1 "bwrap starts gnuplot"
+    elif test "$how" = landlock && perl -e 'exit(syscall(444, 0, 0, 1) < 1)' 2>/dev/null; then
+      result 1 "Landlock confines gnuplot"
     else
       skip "$how" "$(sed 's/.*(//; s/).*//' said)"
     fi
@@ -253,6 +256,33 @@ EOF2
 status=$?
 why=why
 result $status 'limits, environment and arguments of the program'
+# The program is the first one in PATH that is a file that can be executed, or without PATH that of the system. It draws a second time,
+# and its messages are not shown again.
+mkdir folder plain
+mkdir folder/gnuplot
+: >plain/gnuplot
+cp bin/gnuplot gnuplot
+cat >bin/gnuplot <<EOF2
+#!/bin/sh
+echo "\$3" | tee -a $work/calls >&2
+case \$3 in *svg*) echo '<?xml' ;; *) printf '\211PNG' ;; esac
+EOF2
+PATH=:$work/folder:$work/plain:bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o second --trust >out.txt 2>said
+{ cat said calls && cat second/nothing.svg; } | diff -u - /dev/fd/3 >why 3<<'EOF2'
+terminal = "svg font 'sans,13' background 'white'"; set terminal svg font 'sans,13' background 'white' size 840,560
+terminal = "svg font 'sans,13' background 'white'"; set terminal svg font 'sans,13' background 'white' size 840,560
+terminal = "pngcairo font 'sans,11'"; set terminal pngcairo font 'sans,11' size 840,560
+<?xml
+EOF2
+status=$?
+result $status 'the program in PATH, and its second call'
+mv gnuplot bin/gnuplot
+case $(command -v gnuplot) in
+/usr/bin/* | /bin/*)
+  (unset PATH && "$nineball" figure cases/nothing.md -o unset --trust >out.txt 2>why) && test -s unset/nothing.svg
+  result $? 'without PATH'
+  ;;
+esac
 cat >bin/bwrap <<'EOF2'
 #!/bin/sh
 for word in "$@"; do test "$word" = --version && exit 0; done

@@ -1374,6 +1374,17 @@ if command -v gnuplot >/dev/null; then
   sed 's|^plot .*|&\ndo for [i=1:300] { print i }|' "$pages/passes.md" >tree/cases/says.md
   run 0 figure tree/cases/says.md -o drawn --trust
   seq 200 | diff - said >>why
+  # The reason of an error is the last message. Behind 200 messages the line of the page is not looked for.
+  for count in 199 200; do
+    sed "s|^plot .*|set xlabel 'x'\n\`\`\`\n\n\`\`\`gnuplot\ndo for [i=1:$count] { print i }\nplot \$nothing\nplot x|" "$pages/passes.md" >tree/cases/says.md
+    run 2 figure tree/cases/says.md -o drawn --trust
+    where=''
+    test $count -eq 200 || where=' (line 28 of the page)'
+    sed -n 's/ line [0-9]*: / line N: /; s/; the data are.*//; /^nineball/p' said |
+      diff - /dev/fd/3 >>why 3<<END
+nineball: gnuplot refused drawn/says.gp: "./says.gp" line N: no datablock named \$nothing$where
+END
+  done
   verdict 'the number of messages of a figure'
 
   sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
@@ -1401,6 +1412,9 @@ if command -v gnuplot >/dev/null; then
   sed "s|^plot .*|plot x*undefined|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said '; the data are `$table`'
+  sed "s|^plot .*|plot \$table using 99:100|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said ' range is invalid (line 23 of the page); the data are `$table`'
   sed "s|^plot .*|set titel 'x'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   grep -q 'the data are' said && echo 'a mistake without data has the hint about data' >>why
@@ -1474,6 +1488,17 @@ alone/nineball figure "$pages/passes.md" -o drawn >out 2>said
 test $? -eq 2 || echo 'another status than 2' >>why
 grep -q '^nineball: the style of figures, plots/style.gp, is neither beside the program nor in /.*/nineball/plots$' said || echo 'another message' >>why
 verdict 'a program without the style of figures'
+
+# The style is beside the program, or else in share/nineball. A quote in the name of its folder is doubled in the script.
+mkdir -p "it's/bin" "it's/share/nineball"
+cp "$nineball" "it's/bin/nineball"
+for place in share/nineball bin; do
+  cp -r "$cases/../plots" "it's/$place/plots"
+  echo "# of $place" >>"it's/$place/plots/style.gp"
+  PATH=$work/nothing "it's/bin/nineball" figure "$pages/passes.md" -o found >out 2>said
+  grep -qx "plots = '/.*/it''s/$place/plots/'" found/passes.gp && grep -qx "# of $place" found/passes.gp || echo "not the style in $place" >>why
+done
+verdict 'the places of the style of figures'
 
 run 0 figure "$pages/swept.md" -o drawn
 out 'has no `gnuplot` block'

@@ -495,6 +495,87 @@ if command -v gnuplot >/dev/null; then
   result $? 'report: the largest drawing that is kept'
 fi
 
+# ---- names and folders of pages that are similar ----
+
+mkdir -p alike/own
+printf '# Notes\n' >alike/notes.md
+cp one/page.md alike/README-old.md
+cp one/page.md alike/own/second.md
+run 2 report alike/README-old.md alike/notes.md alike/README.md -o alike-site && said 'alike/README.md: ' &&
+  grep -o '<th colspan.*\|index.html">[^<]*' alike-site/index.html | diff -u /dev/fd/3 - >"$why" 3<<'END'
+index.html">README
+<th colspan="4">alike</th></tr>
+index.html">README-old
+index.html">notes
+index.html">README
+END
+result $? 'report: only README gets the name of its folder, and only its title is that of the folder; a README that is missing'
+run 2 report one/page.md "$pages/passes.md" other/page.md -o alike-site && said 'nineball: one/page.md and other/page.md have the same name, so the same output folder: rename one of them'
+result $? 'report: the first and the last page have the same name'
+cp one/page.md own.md
+run 2 report own.md alike/own/second.md -o alike && said 'the output folder alike/own of own.md is a folder of pages, whose files would be overwritten' && test ! -e alike/index.html
+result $? 'report: the output folder of a page is the folder of another page'
+
+# ---- files of the site ----
+
+for name in index.html report.css report.js; do
+  mkdir -p "without-$name/$name"
+  run 2 report one/page.md -o "without-$name" && said "nineball: cannot write without-$name/$name: "
+  result $? "report: $name cannot be written"
+done
+run 0 report one/page.md && said 'look at report/index.html' && cmp "$pages/../../plots/report.css" report/report.css && cmp "$pages/../../plots/report.js" report/report.js &&
+  grep -q '^<p>1 pages were run: 1 checks, <span class="pass">0 failed</span>\. Made' report/index.html && ! grep -q 'What failed' report/index.html && rm -r report
+result $? 'report: its default folder, its style, and the summary of pages that all pass'
+
+# Files that are not kept are listed, also those of a snapshot: 3600 particles, each with more than 28 characters. The drawing is small.
+sed 's/^cycles .*/cycles 1\nsnapshot/; s/^disc .*/&\nlattice discs 60 by 60 m radius 1 from 9 9/; s/^plot .*/plot x/; s/within 1e-15/within 999/' one/page.md >much.md
+run 0 report much.md --trust -o much && cp much/much/index.html "$why" && test -s much/much/table.tsv && test ! -e much/much/much.gp &&
+  test ! -e much/much/flight-particles.tsv && said '<p>Not kept here, because they are large: flight-particles.tsv, much.gp. They' &&
+  { ! command -v gnuplot >/dev/null || { said 'src="much.svg"' && test -s much/much/much.svg; }; }
+result $? 'report: a large snapshot and script are not kept'
+# The time of a page is the sum of its runs: here the first one has 180000 cycles, the others one.
+site_page 'Times' '1e-6 1 2' 'D.x above 0' | sed 's/^cycles.*/record every 100000 cycles\nuntil D.x above 1.09 at most 200000 cycles/' >times.md
+run 0 report times.md -o times && cp times/index.html "$why" && grep '<td class="number">' times/index.html | awk -F 'number">' '{ seconds = $2 } END { exit !(seconds + 0 > 0.003) }'
+result $? 'report: the time of a page is that of all its runs'
+
+# Files with the same two last names get a number. A target may have 999 characters and no colon. A tab may end it.
+mkdir -p targets/in targets/more/in targets/third/in
+echo text | tee targets/in/h.bin >targets/in/c:d.txt
+for folder in more third; do echo $folder >targets/$folder/in/h.bin; done
+printf '# Targets\n\n[no](in/%01000d) [c](in/c:d.txt) [h](in/h.bin\t"a title") [m](more/in/h.bin) [t](third/in/h.bin) [again](more/in/h.bin)\n' 0 >targets/README.md
+run 0 report targets/README.md -o targets-site && grep . targets-site/files/* | sed 's,.*/,,' >given &&
+  tr '\n' ' ' <targets-site/index.html | grep -o '<p><span>.*again</a></p>' | cat given - | diff -u /dev/fd/3 - >"$why" 3<<'END'
+1-in-h.bin.txt:more
+2-in-h.bin.txt:third
+in-h.bin.txt:text
+<p><span>no</span> <span>c</span> <a href="files/in-h.bin.txt">h</a> <a href="files/1-in-h.bin.txt">m</a> <a href="files/2-in-h.bin.txt">t</a> <a href="files/1-in-h.bin.txt">again</a></p>
+END
+result $? 'report: targets of links'
+
+# An interrupted report does not run the pages that follow. The checkpoint of a page that has run to its end is removed.
+sed 's/^cycles .*/cycles 1000000000\nrecord none/' one/page.md >forever.md
+cp one/page.md before.md
+"$nineball" report before.md forever.md "$pages/passes.md" -o interrupted --checkpoint --states states >out 2>given &
+while kill -0 $! && ! grep before out; do sleep 0.05; done >"$why" 2>&1
+sleep 0.3
+kill -INT $!
+wait $!
+echo "status $?" >>out
+{ cat out && grep -o '<p>[0-9].*</span>' interrupted/index.html && grep -o '<td>A disc.*\(passed<\|run<\|/small>\)' interrupted/index.html && ls states; } |
+  sed 's/after cycle [0-9]* ([^)]*)/after cycle N/; s/-[0-9a-f]*\.checkpoint/.checkpoint/' | diff -u /dev/fd/3 - >"$why" 3<<'END'
+before                          1 checks, 0 failed
+forever                         0 checks, 0 failed; did not run to its end
+look at interrupted/index.html
+status 130
+<p>2 pages were run: 1 checks, <span class="pass">0 failed</span>
+<td>A disc in free flight</td><td class="fail">did not run to its end<br><small>stopped by a signal after cycle N; the checkpoint is states/forever.checkpoint</small>
+<td>A disc in free flight</td><td class="pass">1 check passed<
+<td>A disc in free flight</td><td class="fail">did not run to its end<br><small>stopped by a signal after cycle N; the checkpoint is states/forever.checkpoint</small>
+<td>A disc in free flight</td><td class="none">not run<
+forever.checkpoint
+END
+result $? 'report: an interrupted page, and the pages before and behind it'
+
 # ---- pandoc: a script in its place ----
 
 mkdir -p scripts typeset
@@ -549,10 +630,21 @@ test $? -eq 2 && cp given "$why" && grep -qx 'nineball: pandoc refused typeset/s
   grep -q '<details open>' typeset-site/second/index.html && grep -qx 'first *1 checks, 0 failed; no figure' out
 result $? 'report: a page that pandoc refuses'
 
+printf '# Front\n' >typeset/README.md
+PATH=$work/scripts:$PATH NINEBALL_CONFINE=none run 2 report typeset/README.md -o typeset-site &&
+  test "$(grep -cx 'nineball: pandoc refused typeset/README.md: typeset' "$why")" -eq 2 && grep -q '>All pages<' typeset-site/index.html
+result $? 'report: an index whose text pandoc refuses'
+rm typeset/fails
+# The kernel limits an argument to 131072 bytes, so the list ends at 100000 bytes: a link has 41 bytes on the page, and 38 in the index.
+{ printf '# Many\n\n' && yes '[a](data.tsv)' | head -n 3500; } >typeset/many.md
+PATH=$work/scripts:$PATH NINEBALL_CONFINE=none run 0 report typeset/many.md -o typeset-site && test "$(grep -c 'data.tsv	' "$why")" -eq $((100000 / 41 + 1 + 100000 / 38 + 1))
+result $? 'report: the list of links of a page is limited'
+
 if command -v gnuplot >/dev/null; then
   sed 's/^plot .*/plot $nothing/' "$pages/passes.md" >broken.md
   run 2 report broken.md -o some && said 'no datablock named $nothing' && grep -qx 'broken *1 checks, 0 failed; no figure' "$why" &&
-    grep -q 'no datablock named' some/broken/index.html && test ! -e some/broken/broken.svg
+    grep -q 'no datablock named' some/broken/index.html && test ! -e some/broken/broken.svg &&
+    grep -q '<td class="fail">no figure<br><small>gnuplot refused some/broken/broken.gp: ' some/index.html
   result $? 'report: a figure that cannot be drawn is status 2, and says why'
   sed 's/^plot .*//' "$pages/passes.md" >empty.md
   run 2 figure empty.md -o some && said 'nineball: some/empty.gp draws nothing'

@@ -456,8 +456,10 @@ static enum nb_status make(const struct nb_call *call, struct nb_report *report)
   for (size_t k = 0; k < report->count; k++) {
     struct nb_report_page *page = &report->pages[k];
     print_progress(report, k, nb_clock() - began);
-    if (!page->document && !page->unrun)
-      worst = nb_worse(worst, nb_is_stopped(&call->options) ? NB_BROKEN : run(call, report, page));
+    if (!page->document && !page->unrun) {
+      page->unrun = nb_is_stopped(&call->options); /* a page that follows an interrupted one is not run */
+      worst = nb_worse(worst, page->unrun ? NB_BROKEN : run(call, report, page));
+    }
     if (write_page(report, k, &error))
       add_message(page, &error), worst = nb_worse(worst, error.status);
     print_line(page);
