@@ -51,6 +51,7 @@ static void runs_that_save_checkpoints(void) {
     CU_ASSERT_EQUAL(nb_checkpoint_begin(&checkpoint, &it.scene, k ? &options : NULL, &error), NB_OK);
     CU_ASSERT_EQUAL(checkpoint.options, k == 3 ? &options.checkpoint : NULL);
     CU_ASSERT_EQUAL(checkpoint.scene, &it.scene);
+    CU_ASSERT(checkpoint.cost == 2e-3 && nb_clock() - checkpoint.saved < 60); /* the first one after 0.02 s at least */
     CU_ASSERT_EQUAL(access(sub, F_OK) == 0, k == 3);
     if (k == 3)
       CU_ASSERT(strncmp(checkpoint.path, sub, strlen(sub)) == 0 &&
@@ -255,6 +256,29 @@ static void times_of_checkpoints(void) {
   }
 }
 
+/* A run that is asked to stop saves a checkpoint and stops, also at the end of a stage. At the end of the last stage it is
+ * complete and does not stop. The stages have 1 and 2 cycles. */
+static void cycles_after_which_a_run_stops(void) {
+  char path[PATH], old[OLD], wanted[TEXT], found[TEXT];
+  struct written it;
+  scene_read(&it, path, old);
+  for (int stop = 1; stop <= 4; stop++) {
+    struct nb_result result;
+    struct nb_error error = {NB_OK, ""};
+    struct nb_options options = options_of(false);
+    options.checkpoint.seconds = 1e9, options.checkpoint.stop_after = (unsigned long)stop;
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, &options, NULL, &error), stop < 3 ? NB_BROKEN : NB_OK);
+    CU_ASSERT(result.cycles == (stop < 3 ? (unsigned long)stop : 3) && result.table.row_count == result.cycles + 1);
+    snprintf(wanted, sizeof wanted, "stopped by a signal after cycle %d (%d %%, at most", stop, stop == 1 ? 33 : 67);
+    snprintf(found, sizeof found, " s left); the checkpoint is %s", path);
+    CU_ASSERT(stop >= 3 || (strncmp(error.text, wanted, strlen(wanted)) == 0 && strstr(error.text, found)));
+    CU_ASSERT(stop >= 3 || access(path, F_OK) == 0);
+    nb_checkpoint_remove(&it.scene, &options, 0xab);
+    nb_result_free(&result);
+  }
+  written_free(&it);
+}
+
 /* A run stops if a signal has set the flag. */
 static void a_run_that_is_stopped(void) {
   volatile sig_atomic_t stop = 0;
@@ -347,6 +371,7 @@ void suite_checkpoint_files(void) {
   CU_ADD_TEST(suite, a_page_that_has_changed);
   CU_ADD_TEST(suite, times_of_checkpoints);
   CU_ADD_TEST(suite, a_run_that_is_stopped);
+  CU_ADD_TEST(suite, cycles_after_which_a_run_stops);
   CU_ADD_TEST(suite, integers_of_a_checkpoint);
   CU_ADD_TEST(suite, parts_of_a_checkpoint);
 }

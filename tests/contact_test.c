@@ -451,6 +451,24 @@ static void the_stick_radius_in_both_senses(void) {
     CU_ASSERT_EQUAL(stick[0][r], stick[1][r]);
 }
 
+/* The stick radius of a contact that is open, or that slides as a whole, is 0. */
+static void nothing_sticks(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      EXACT "record pieces radius.stick sliding traction.force\nsegment a normal to 60 N in 1 step\nsegment b slip by "
+            "1 mm in 1 "
+            "step\nsegment c slip by -1 mm in 1 step\nsegment d overlap to -1 um in 1 step\n");
+  static const double pieces[] = {0, 1, 1, 1, 0}, sliding[] = {0, 0, 1, -1, 0};
+  for (size_t r = 0; r < 5; r++) {
+    CU_ASSERT_EQUAL(cell(&result, r, 0), pieces[r]);
+    CU_ASSERT(r == 1 ? cell(&result, r, 1) > 0 : cell(&result, r, 1) == 0);
+    CU_ASSERT_EQUAL(fabs(cell(&result, r, 2)), fabs(sliding[r]));
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 3), 18 * sliding[r], 1e-9);
+  }
+  done(&result, &it);
+}
+
 /* If N and T grow in proportion, nothing slips as long as T < mu N, however near T comes to mu N: the stick radius is
  * the radius of the contact. */
 static void nothing_slips_below_the_limit(void) {
@@ -511,6 +529,7 @@ void suite_contact_test(void) {
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);
   CU_add_test(suite, "the stick radius in both senses", the_stick_radius_in_both_senses);
+  CU_ADD_TEST(suite, nothing_sticks);
   CU_add_test(suite, "nothing slips below the limit", nothing_slips_below_the_limit);
   CU_add_test(suite, "a contact after a gap is new", a_contact_after_a_gap_is_new);
 }

@@ -85,6 +85,7 @@ static enum nb_status obtain(struct folder *folder, const struct written *it, st
   struct nb_saved saved;
   folder->notes[0] = '\0';
   const enum nb_status status = nb_start_obtain(&saved, &it->scene, &folder->options, &folder->progress, true, error);
+  CU_ASSERT(status || saved.particle_count == 1);
   nb_saved_free(&saved);
   return status;
 }
