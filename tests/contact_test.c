@@ -351,6 +351,26 @@ static void a_contact_after_a_gap_is_new(void) {
   }
 }
 
+/* A normal law by increments keeps its force in the contact history. It loads with the radius before each step, so its
+ * force is smaller than Hertz's 4/3 E* (R*)^(1/2) d^(3/2), by less than 2 % in 200 steps. A contact that has opened begins
+ * again. A prescribed force is reached. */
+static void increments_of_the_normal_force(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\ncontact sphere 10 mm steel with sphere 30 mm "
+      "steel\n"
+      "normal hertz_increment\nrecord normal overlap\nsegment a overlap to 1 um in 200 steps\nrecord every 200 steps\n"
+      "segment b overlap to 0 um in 1 step\nsegment c overlap to 1 um in 200 steps\nrecord every 200 steps\n"
+      "segment d normal by 5 N in 1 step\n");
+  const double hertz = 4. / 3 * 210e9 / 0.91 / 2 * sqrt(7.5e-3 * 1e-18), first = cell(&result, 1, 0);
+  CU_ASSERT(first < hertz && first > 0.98 * hertz);
+  CU_ASSERT(cell(&result, 2, 0) == 0 && cell(&result, 3, 0) == first);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 0), first + 5, 1e-12);
+  CU_ASSERT(cell(&result, 4, 1) > 1e-6);
+  done(&result, &it);
+}
+
 /* The shear force of a contact with cohesion c stays at the limit mu N + c. */
 static void cohesion_raises_the_limit(void) {
   struct nb_result result;
@@ -523,6 +543,7 @@ void suite_contact_test(void) {
   CU_ADD_TEST(suite, progress_of_segments);
   CU_ADD_TEST(suite, a_signal_stops_the_test);
   CU_ADD_TEST(suite, a_trial_shortens_segments);
+  CU_ADD_TEST(suite, increments_of_the_normal_force);
   CU_add_test(suite, "cohesion raises the limit", cohesion_raises_the_limit);
   CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);
