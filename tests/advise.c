@@ -393,7 +393,10 @@ static void a_trial_that_would_end_after_the_budget(void) {
     CU_ASSERT_EQUAL(advice.exhausted, !rows[k].runs);
     CU_ASSERT_EQUAL(advice.measured, rows[k].runs);
     CU_ASSERT_EQUAL(point->done, (rows[k].done ? 1U : 0) | (rows[k].runs ? 2U : 0));
+    CU_ASSERT(!rows[k].runs || (point->seconds > 0 && point->seconds < 100)); /* of the shortest trial */
   }
+  point->seconds = 1e-12;
+  CU_ASSERT(run_trial(&advice, 0, 0, 2) && point->seconds == 1e-12);
   finish(&advice, &page);
 }
 
@@ -404,7 +407,8 @@ struct end {
 };
 static void end_the_budget(void *data, const char *stage, double fraction, double seconds) {
   struct end *end = data;
-  (void)stage, (void)fraction, (void)seconds;
+  CU_ASSERT_STRING_EQUAL(stage, "search");
+  CU_ASSERT(end->query->budget == 0 || fraction == seconds / end->query->budget);
   if (++end->trials == end->last)
     end->query->budget = 0;
 }
@@ -628,13 +632,15 @@ static void variants_with_the_laws_of_the_page(void) {
                                           .within = "1 %",
                                           .budget = 1e-6};
     size_t soft = 0, centred = 0;
+    double softness = 0;
     nb_advise(&advice, &query, &error);
     for (size_t v = 1; v < advice.variant_count; v++) {
       const struct nb_variant *variant = &advice.variants[v];
-      soft += variant->soften > 0 && !variant->normal[0] && !variant->centred;
+      soft += variant->soften > 0 && !variant->normal[0] && !variant->centred, softness += variant->soften;
       centred += variant->centred && !variant->normal[0] && variant->soften == 0;
     }
     CU_ASSERT_EQUAL(soft, rows[k].soft);
+    CU_ASSERT_EQUAL(softness, soft ? 10 + 100 + 1000 : 0);
     CU_ASSERT_EQUAL(centred, rows[k].centred);
     CU_ASSERT_EQUAL(nb_advice_softness_is_useless(&advice), strstr(rows[k].step, "collision") != NULL);
     finish(&advice, &page);
