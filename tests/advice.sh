@@ -89,9 +89,9 @@ rows all/trades.tsv | tail -n 1 | cut -f 1,13,20,21 | tr '\t' '|' >given && cp g
 test "$(cat given)" = 'laws.md|0|linear|-' && test ! -e all/laws.gp
 result $? 'laws that are enough, of a page with other traded values'
 
-# The velocity of realization k at 1 s is k, plus the step times k. So the mean, 4.5, is known to within a tenth, not to within a thousandth. The
-# absolute tolerance of the expectation replaces only the first tolerance. The time at the end is 0.99 at the anchor, and 1.28, 1.12 and 1.04
-# with the three finest steps of the first search: the order is log2(0.29/0.05)/2.
+# The velocity of realization k at 1 s is k, plus the step times k. So the mean, 4.5, is known to within a tenth, not to within a
+# thousandth. The absolute tolerance of the expectation replaces only the first tolerance. The time at the end is 0.99 at the anchor, and
+# 1.28, 1.12 and 1.04 with the three finest steps of the first search: the order is log2(0.29/0.05)/2.
 cat >mean.md <<'END'
 # A fall
 ```scene
@@ -197,8 +197,9 @@ plot 2 with lines dt 2 lc rgb 'black' title 'tolerance'
 END
 result $? 'its table and its figure'
 
-# A disc of 12800 cycles needs a hundredth of them with the advice, so much less time. Of three other values the first moves the disc by 1e7*5e-5,
-# more than its radius, even with the step of the anchor; the second is a mistake of the page; the third gives twice the velocity.
+# A disc of 12800 cycles needs a hundredth of them with the advice, so its shortest time is much shorter. Of three other values the first
+# moves the disc by 1e7*5e-5, more than its radius, even with the step of the anchor; the second is a mistake of the page; the third gives
+# twice the velocity.
 model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
 cat >long.md <<'END'
 # A long flight
@@ -218,7 +219,7 @@ cycles 12800
 ```
 END
 run 0 advise long.md --quantity D.vx --within '2 %' -o long --trust
-grep -F " of 5 runs on $(printf '%.127s' "${model:-this machine}")" "$why" | sed -n 's/^  time: \([0-9.e-]*\) s (.*) instead of \([0-9.e-]*\) s (.*/\1 \2/p' |
+grep -F " of 5 runs on $(printf '%.127s' "${model:-this machine}")" "$why" | sed -n 's/^  time: [0-9.e-]* s (\([0-9.e-]*\) to .*) instead of [0-9.e-]* s (\([0-9.e-]*\) to .*/\1 \2/p' |
   awk '{ good = $1 < $2/3 } END { exit !good }'
 result $? 'the times of the advice and of the page, and the machine'
 sed -n '/^  [0-9] other/,/^  (/p' "$why" >given
@@ -261,8 +262,8 @@ END
 status=$?
 cp given "$why"
 result $status 'softer contacts together with a traded value'
-# Many pages: a search over both runs of a sweep, with the settings of the call, and the unit of the error. With an eighth of refine the runs have one and two
-# cycles of two discs.
+# Many pages: a search over both runs of a sweep, with the settings of the call, and the unit of the error. With an eighth of refine the
+# runs have one and two cycles of two discs.
 cat >two.md <<'END'
 # Two flights
 ```scene
@@ -331,6 +332,69 @@ for tolerance in 0.5:0.5=yes '50 %:'; do
   result $? "a value that is too uncertain for the first tolerance: ${tolerance%:*}"
 done
 
+# A curve, a line `report`, and the tolerance of an order of convergence, which is not one of the quantity, say nothing about a value. A second
+# page expects nothing.
+cat >order.md <<'END'
+# A fall
+```scene
+units none
+sweep h 1 2
+trade laws none
+material m density 1 kn 1000
+gravity 0 -1
+sphere 0 5 radius 1 m
+wall floor -9 0 to 9 0 m
+monitor D sphere 1
+record time D.x D.y D.vy
+step (0.01*h)
+stage a
+cycles (8/h)
+```
+```expect
+reference free_fall
+D.y versus time within 1 % of peak
+report D.y
+D.x order 2 in h within 0.5
+D.vy within 1 %
+```
+END
+run 1 advise --all order.md two.md --within '1 %' -o order --trust
+sed '/^status/d; s/; about [0-9][0-9]* s left$/; about N s left/' "$why" >given
+rows order/trades.tsv | cut -f 3,5-8 | tr '\t' '|' >>given
+diff -u - given >"$why" <<'END'
+1 of 2, order: 2 searches, 1 with advice; about N s left
+  two has no expectation of a single value that depends on the step
+2 of 2, two: 0 searches, 0 with advice
+2 searches, 1 with advice; look at order/trades.tsv
+h=1|time|D.x|1 %|unknown
+h=1|time|D.vy|1 %|yes
+END
+result $? 'expectations that have no value, and the output for many pages'
+# The error of the step s is 1.25 (s - a) + 3 a with the anchor a, which is 0.002 for the steps 0.016 and 0.008, and 0.001 for 0.004. These
+# are the three finest steps of the page, and the errors 0.0235, 0.0135 and 0.00675: the order is log2(0.0235/0.00675)/2. The variant does
+# not count.
+cat >steps.md <<'END'
+# Steps
+```scene
+units none
+let e = 1
+trade e 3
+trade laws none
+material m density 1 kn 1000
+disc 0 0 radius 1 m
+disc 9 0 radius 1 m
+record step
+step (0.016*e)
+stage a
+cycles 64
+```
+END
+run 0 advise --all steps.md --quantity step --within 0.0124 -o steps --trust
+rows steps/trades.tsv | cut -f 1,3-11,13-21 | tr '\t' '|' | diff -u - /dev/fd/3 >"$why" 3<<'END'
+steps.md|-|-|-|step|0.0124|yes|--set refine=4|4|512|0.00675|1|--set refine=2|1.08871|0.9|linear|none|-|-
+END
+result $? 'the order of convergence'
+
 # A contact test has no time, so its step has no length. Its figure has the word `normal` of the law.
 cat >contact.md <<'END'
 # A contact
@@ -348,6 +412,12 @@ END
 run 0 advise contact.md --quantity 'shear max' --within '1 %' -o contact --trust &&
   grep -qx '    the step is 16 times as long as that of the page; normal hertz, shear mindlin' "$why"
 result $? 'a contact test'
+# Laws that give the values of another one are neither enough nor not enough.
+run 0 advise --all contact.md --quantity 'shear max' --within '1 %' -o contact --trust
+rows contact/trades.tsv | cut -f 5,6,18-21 | tr '\t' '|' | diff -u - /dev/fd/3 >"$why" 3<<'END'
+-|shear max|hertz|mindlin_deresiewicz|mindlin|linear
+END
+result $? 'laws that are enough for a contact test'
 
 # A variant that the reference solution of the page does not cover is left out, because `run` would refuse it.
 run 0 advise "$cases/2-hertz/hertz-impact.md" --set pair=equal --set h=0.04 --quantity impact.duration --within '5 %' -o covered --trust

@@ -371,7 +371,8 @@ static void search_expected(struct search_all *all, const struct nb_outcome *pag
     const struct nb_expectation *e = &run->expectations.list[k];
     if (!is_searched(e) || is_repeated(&run->expectations, k, &run->scene))
       continue;
-    const bool absolute = e->tolerance.kind == NB_ABSOLUTE && e->tolerance.value > 0;
+    /* the tolerance of an order of convergence is not one of the quantity */
+    const bool absolute = e->kind != NB_ORDER && e->tolerance.kind == NB_ABSOLUTE && e->tolerance.value > 0;
     snprintf(wanted->measure, sizeof wanted->measure, "%s", e->measure.label);
     snprintf(wanted->absolute, sizeof wanted->absolute, "%s", absolute ? e->tolerance.text : "");
     wanted->kind = kind_of(&e->measure, &run->scene);
