@@ -38,6 +38,12 @@ static void other_ratios_give_no_smaller_estimate(void) {
       }
 }
 
+/* Each difference is divided by the logarithm of its ratio, with the base 2: d_1 = 1 and d_2 = 1/2 give the order 1. */
+static void each_difference_has_its_ratio(void) {
+  NEAR(nb_estimate_step(0, 1, 1.25, (struct nb_ratios){2, sqrt(2)}), 2.0, 1e-14);
+  NEAR(nb_estimate_step(0, 0.5, 1, (struct nb_ratios){sqrt(2), 2}), 2.0, 1e-14);
+}
+
 /* The order follows from the differences d_1 = 1 and d_2 of successive values, within limits: order 3 counts as order
  * 2, and order 0.2 as order 0.5. */
 static void the_order_is_limited(void) {
@@ -95,6 +101,8 @@ static void a_claim_is_that_of_the_worst_phase(void) {
     n[worst] = n2[worst] = 1, n4[worst] = 3;
     CU_ASSERT_EQUAL(nb_estimate_error(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), 6); /* 3 |d_2| */
   }
+  const double first[] = {term(10, 1)}, second[] = {term(20, 1)}, third[] = {term(40, 1)};
+  NEAR(nb_estimate_error(&step, first, second, third, 1, halved, (struct nb_anchor){first[0], 0}), 0.3, 1e-14);
   const double two[] = {2, 2};
   CU_ASSERT_EQUAL(nb_estimate_error(&step, two, two, two, 2, halved, (struct nb_anchor){1, 0}), 1.25);
   CU_ASSERT_EQUAL(nb_estimate_error(&step, two, two, two, 2, halved, (struct nb_anchor){3, 0}), 1.25);
@@ -150,6 +158,7 @@ void suite_estimate(void) {
   CU_pSuite suite = CU_add_suite("estimate", NULL, NULL);
   CU_ADD_TEST(suite, richardson_finds_the_error_of_a_power);
   CU_ADD_TEST(suite, other_ratios_give_no_smaller_estimate);
+  CU_ADD_TEST(suite, each_difference_has_its_ratio);
   CU_ADD_TEST(suite, the_order_is_limited);
   CU_ADD_TEST(suite, differences_that_do_not_shrink);
   CU_ADD_TEST(suite, what_is_not_finite_has_no_estimate);
