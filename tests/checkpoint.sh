@@ -5,7 +5,7 @@
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 . "${srcdir:-.}/tests/tap"
-states=$work/states
+states=$work/'saved states'
 page=$work/falling.md
 cat >"$page" <<'END'
 # Spheres fall into a box
@@ -59,11 +59,21 @@ for signal in TERM INT; do
   wait $!
   status=$?
   test $status -eq $([ $signal = TERM ] && echo 143 || echo 130) && said 'stopped by a signal after cycle' && said ' s left); the checkpoint is ' &&
-    grep -q "^to continue: .* run .*/falling.md --states .* --resume$" "$why"
+    grep -qxF "to continue: $nineball run $page --states '$states' -o $work/out --jobs 1 --checkpoint=0.01 --resume" "$why"
   result $? "SIG$signal: the run is saved, and the command to continue is shown"
   again && same && test -z "$(ls "$states")"
   result $? 'it continues with the same results, and the checkpoints are removed'
 done
+
+# The pages after an interrupted one are not run. An option --resume is not doubled.
+"$nineball" check "$page" none.md --states "$states" --jobs 1 --resume >"$work/printed" 2>"$why" &
+until_saved
+kill -INT $!
+wait $!
+test $? -eq 130 && ! said 'none.md: error' && grep -qxF "to continue: $nineball check $page none.md --states '$states' --jobs 1 --resume" "$why" &&
+  test -n "$(last)"
+result $? 'the pages after an interrupted one are not run'
+rm -rf "$states"
 
 # A contact test has no checkpoints: the first signal ends it.
 cat >"$work/pressed.md" <<'END'
@@ -212,6 +222,14 @@ edited max last && ! said 'in all cycles'
 result $? 'an expectation that needs values of all cycles is removed: it continues'
 edited max max && said 'in all cycles'
 result $? 'the expectation is unchanged: the warning knows the cycles before the interruption'
+# Checkpoints by time follow that at the end of stage `hit`, which becomes the one before.
+rm -rf "$states"
+start --resume --checkpoint=0.01
+while kill -0 $! 2>/dev/null && ! ls "$states"/*.old >"$work/ls" 2>&1; do sleep 0.01; done
+kill -TERM $! 2>>"$why"
+wait $!
+test $? -eq 143
+result $? '--resume keeps the interval of --checkpoint'
 page=$work/falling.md
 
 # ---- files that cannot be written ----

@@ -337,6 +337,15 @@ $ run good.md ./good.md
 $ run bad.md sub/good.md good.md
 ! nineball: sub/good.md and good.md have the same name, so the same output folder: run them one at a time, with -o
 = 2
+$ run good.md go.md
+  good: Page good
+    pass  D.x expected 1.25 within 0 [1 + 0.25]
+          computed 1.25, expected 1.25, error 0, tolerance 0
+    1 of 1 checks passed
+    2 cycles, 0 contact updates, T s
+  tables are in good.out
+! go.md: error: cannot be read: No such file or directory
+= 2
 $ run good.md bad.md -o x
 ! nineball: -o FOLDER takes one page at a time; `nineball report` takes many
 = 2
@@ -357,6 +366,10 @@ $ figure wrong.md good.md
 $ figure 'two words.md' --trust
   look at two words.out/two words.svg
   a check of this page failed: type `nineball check 'two words.md'`
+= 0
+$ figure bad.md
+  bad.md has no `gnuplot` block, so there is no figure
+  a check of this page failed: type `nineball check bad.md`
 = 0
 $ figure late.md
   late.md has no `gnuplot` block, so there is no figure
@@ -994,6 +1007,11 @@ $ --help contact-test | sed -n '1,20p'
         the start they just touch. Place: a contact test, before its first segment.
           disc|sphere R MATERIAL: a length above 0, the radius, and the name of a material.
 = 0
+$ check none.md --version --help
+  nineball VERSION
+  Copyright (C) 2026 the nineball authors.
+  GPL-3.0-or-later: free software, without any warranty.
+= 0
 $ --version
   nineball VERSION
   Copyright (C) 2026 the nineball authors.
@@ -1339,6 +1357,22 @@ for last in 2099997:quiet 2100000:said; do
   diff wanted "$why" >out
   result $? "a table of a million rows: $last"
 done
+
+# Three stages have 333334 rows or less. The first of the largest two is named, with an interval that makes its table smaller.
+printf '```scene\nunits none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m velocity 1 0\nstep 1e-6\nrecord time\n' >rows.md
+printf 'stage a\ncycles 333332\nstage b\ncycles 333334\nstage c\ncycles 333334\n```\n' >>rows.md
+"$nineball" run rows.md good.md >out 2>"$why" </dev/null
+echo 'rows.md:9: warning: table.tsv has 1000001 rows, most of them of stage `b`: write `record every 10 cycles` in it' | diff - "$why" >wanted
+result $? 'a table of a million rows in stages of equal length'
+awk '/ cycles, .* s$/ { t[++n] = $(NF - 1) } END { exit !(n == 2 && 2*t[2] < t[1]) }' out && cp out "$why"
+result $? 'the time of the second page does not count that of the first one'
+# The first page of a call takes some milliseconds, the trial of the rows above 0.1 s. Most of the time of 200 short runs is that of reading
+# the page, writing files, and start.
+sed "s/^let v = .*/sweep v $(seq -s ' ' 200)/; /^\`\`\`expect/,\$d" good.md >short.md
+for pages in good.md 'rows.md good.md' short.md; do "$nineball" explain $pages; done >"$why" 2>&1
+"$nineball" run short.md >>"$why" 2>&1
+awk '/ cycles, .* s$/ { t[++n] = $(NF - 1) } END { print t[1], t[2], t[3], t[n-1], t[n]; exit !(n == 205 && t[3] < 10*t[1] && t[n-1] < 10*t[n] && t[n] < 10*t[n-1]) }' "$why" >>"$why"
+result $? 'the expected time of a second page, and of many runs'
 
 # 2 runs of 150000 rows with 12 quantities of 8 bytes, with stage, cycle and time, need more than 32 MB, so a temporary file gets the rest.
 # The first run alone stays in memory. The file is in the output folder, or without one in $TMPDIR, or in /tmp if that is empty. The

@@ -322,4 +322,16 @@ test $? -eq 2 && grep -qF '(Landlock: not requested; bwrap: not requested), and'
 status=$?
 cp said why
 result $status 'no confinement: the message'
+# A program that a signal ends; bubblewrap would exit with 128 and the number of the signal. 15 is SIGTERM.
+mkdir -p folder
+for end in 'kill -TERM $$' 'exit 143'; do
+  printf '#!/bin/sh\n%s\n' "$end" >bin/gnuplot
+  PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o folder --trust >out.txt 2>said
+  test $? -eq 2 && test ! -s out.txt && echo 'nineball: gnuplot was stopped while it read folder/nothing.gp: Terminated' | diff - said >why
+  result $? "a program that ends by $end"
+done
+printf '#!/bin/sh\necho no >&2\nexit 128\n' >bin/gnuplot
+PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o folder --trust >out.txt 2>said
+test $? -eq 2 && printf 'no\nnineball: gnuplot refused folder/nothing.gp: no\n' | diff - said >why
+result $? 'a program that ends with the status 128'
 echo "1..$n"

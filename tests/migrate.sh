@@ -93,6 +93,9 @@ cp "$work/one.md" "$work/two.md"
 "$nineball" migrate "$work/one.md" "$work/two.md" --in-place >"$work/said" 2>&1 &&
   cmp "$work/one.md" "$work/wanted" >>"$work/said" 2>&1 && cmp "$work/two.md" "$work/wanted" >>"$work/said" 2>&1
 result $? '--in-place keeps the line ends'
+inode=$(ls -i "$work/one.md")
+"$nineball" migrate "$work/one.md" --in-place >"$work/said" 2>&1 && test "$(ls -i "$work/one.md")" = "$inode" && test ! -s "$work/said"
+result $? '--in-place does not write a page that does not change'
 printf '```scene\ndiscs lattice 1 by 1 radius 1 m rock\n```\n' >"$work/page.md"
 { chmod 1640 "$work/page.md" || chmod 640 "$work/page.md"; } 2>"$work/said" && ln -s page.md "$work/link.md"
 before=$(ls -l "$work/page.md" | cut -c 1-10)

@@ -36,6 +36,10 @@ run found "$pages/saved-stage.md" && test "$(made)" -eq 0 && cmp "$work/now/tabl
 result $? 'the results with an existing state are the same'
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'state: present$' "$work/said"
 result $? 'explain says that the state is present'
+(cd "$work" && unset NINEBALL_STATES && "$nineball" explain "$pages/saved-stage.md") >"$work/said" && grep -q 'state: present$' "$work/said" &&
+  NINEBALL_STATES=$states "$nineball" explain "$pages/saved-stage.md" >"$work/said" && grep -q 'state: present$' "$work/said" &&
+  NINEBALL_STATES=$states "$nineball" explain "$pages/saved-stage.md" --states "$work/none" >"$work/said" && grep -q 'state: missing' "$work/said"
+result $? 'the folder of the states: by default, from the environment, and from the command line'
 run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
 result $? 'the results with other threads and another instruction set are the same'
 
@@ -508,7 +512,9 @@ cat >"$pages/pair.md" <<'END'
 ```scene
 units   none
 material  m  density 1 kn 1
-disc    0 0 radius 1 m velocity 1 0
+let     v = 1
+let     w = 0
+disc    0 0 radius 1 m velocity $v $w
 step    0.01
 record  time
 stage   one
@@ -518,13 +524,22 @@ cycles  3
 ```
 END
 : >"$work/differing"
-for stage in one two; do
-  printf '# Goes on\n```scene\nstart pair stage %s\nrecord time\nstage on\ncycles 1\n```\n' "$stage" >"$pages/goes-on.md"
-  run goes-on "$pages/goes-on.md" && "$nineball" state "$pages/pair.md" --stage "$stage" -o "$work/$stage.state" >"$work/said" 2>&1 &&
-    diff "$states"/pair-"$stage"-*.state "$work/$stage.state" >>"$work/differing" || echo "stage $stage" >>"$work/differing"
+for call in 'one' 'two' 'two with v=3 w=2:--set v=3 --set w=2'; do
+  stage=${call%% *}
+  printf '# Goes on\n```scene\nstart pair stage %s\nrecord time\nstage on\ncycles 1\nstage after\ncycles 1\n```\n' "${call%%:*}" >"$pages/goes-on.md"
+  rm -f "$states"/pair-*
+  run goes-on "$pages/goes-on.md" && "$nineball" state "$pages/pair.md" $(expr "$call" : '.*:\(.*\)') --stage "$stage" -o "$work/$stage.state" >"$work/said" 2>&1 &&
+    diff "$states"/pair-"$stage"-*.state "$work/$stage.state" >>"$work/differing" || echo "stage $call" >>"$work/differing"
 done
 cp "$work/differing" "$work/said" && test ! -s "$work/differing"
 result $? 'a state written by command is that of a page that starts from this stage'
+# The command takes the stages of the page itself. A name is also found after stages of the other page, and the last stage is the default.
+"$nineball" state "$pages/goes-on.md" --states "$states" --stage one -o "$work/none.state" >"$work/said" 2>&1
+test $? -eq 2 && grep -qF 'goes-on.md has no stage `one` of its own' "$work/said" && test ! -e "$work/none.state" &&
+  "$nineball" state "$pages/goes-on.md" --states "$states" --stage on -o "$work/on.state" >"$work/said" 2>&1 &&
+  grep -qF "the state at the end of stage \`on\` is in $work/on.state" "$work/said" &&
+  "$nineball" state "$pages/goes-on.md" --states "$states" -o "$work/after.state" >"$work/said" 2>&1 && grep -qF "end of stage \`after\` is" "$work/said"
+result $? 'the stages of a page that starts from another one'
 
 # ---- the page has changed ----
 

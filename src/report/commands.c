@@ -91,8 +91,8 @@ static void warn_of_rows(const struct nb_outcome *outcome, const char *path) {
     most = rows[s] > rows[most] ? s : most;
   if (rows && all > most_rows) {
     const struct nb_stage *const stage = &scene->stages[most];
-    double every = (double)stage->record_interval;
-    for (double left = rows[most]; left > most_rows / 2 - (double)outcome->run_count; left /= 10)
+    double every = 10 * (double)stage->record_interval;
+    for (double left = rows[most] / 10; left > most_rows / 2 - (double)outcome->run_count; left /= 10)
       every *= 10;
     fprintf(stderr,
             "%s:%d: warning: table.tsv has %.0f rows, most of them of stage `%s`: write `record every %.0f %s` in it\n",
