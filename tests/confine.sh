@@ -232,7 +232,7 @@ cat >bin/gnuplot <<'EOF2'
 #!/bin/sh
 exec >&2
 echo "processor $(ulimit -t) s, files $(ulimit -f), memory $(ulimit -v), core $(ulimit -c)"
-for file in 0 5; do test -e /proc/$$/fd/$file && echo "file $file is open"; done
+for file in 0 3 5; do test -e /proc/$$/fd/$file && echo "file $file is open"; done
 echo "$PATH $HOME $LC_ALL ${USER_SECRET-no secret}"
 pwd | sed 's,.*/,,'
 for word in "$@"; do echo "[$word]"; done
@@ -241,7 +241,7 @@ echo alarm
 exit 3
 EOF2
 chmod +x bin/gnuplot
-USER_SECRET=x PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o given --trust >out.txt 2>said 5</dev/null
+USER_SECRET=x PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o given --trust >out.txt 2>said 3</dev/null 5</dev/null
 test $? -eq 2 && diff -u - said >why <<'EOF2'
 processor 120 s, files 409600, memory 4194304, core 0
 /usr/bin:/bin /nonexistent C.UTF-8 no secret

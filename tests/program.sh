@@ -1498,6 +1498,11 @@ for place in share/nineball bin; do
   PATH=$work/nothing "it's/bin/nineball" figure "$pages/passes.md" -o found >out 2>said
   grep -qx "plots = '/.*/it''s/$place/plots/'" found/passes.gp && grep -qx "# of $place" found/passes.gp || echo "not the style in $place" >>why
 done
+rm -r "it's/bin/plots" && mkdir -p "it's/bin/plots/style.gp"
+run_in=$nineball nineball="it's/bin/nineball"
+run 2 figure "$pages/passes.md" -o found
+nineball=$run_in
+grep -qx "nineball: cannot read /.*/it's/bin/plots/style.gp" said || echo 'a folder in the place of the style' >>why
 verdict 'the places of the style of figures'
 
 run 0 figure "$pages/swept.md" -o drawn

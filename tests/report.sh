@@ -453,12 +453,17 @@ site_page 'Negative' '0 3 6' 'D.x increases with v' | sed 's/^disc 1/disc -1/' >
 run 0 report negative.md -o lists && cp lists/negative/index.html "$why" &&
   grep -qF '<polyline fill="none" points="5.0,45.0 70.0,25.0 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/>' "$why"
 result $? 'report: a trend of values of both signs'
+printf '# Text\n' >text.md
+site_page 'Two' '1 2' 'D.x increases with v' >two-points.md
+run 0 report two-points.md --unrun one/page.md --unrun text.md -o lists && cp lists/two-points/index.html "$why" &&
+  grep -qF '<polyline fill="none" points="5.0,45.0 135.0,5.0 "/><circle cx="5.0" cy="45.0" r="2"/><circle cx="135.0" cy="5.0" r="2"/>' "$why" &&
+  test "$(grep -o 'index.html">[^<]*' lists/index.html | tr '\n' ' ')" = 'index.html">two-points index.html">page index.html">text '
+result $? 'report: a trend of two points; two pages that are not run'
 # The folder of a page may be above the folders of other pages. A file without text is a page with a mistake. A page that does not exist
 # is no target of a link.
 mkdir -p odd/negative/sub
 cp negative.md odd/negative/sub/other.md
 : >nothing.md
-printf '# Text\n' >text.md
 printf '\n[text](text.md) [none](no-page.md)\n' | cat negative.md - >linked.md
 "$nineball" report negative.md odd/negative/sub/other.md no-page.md nothing.md linked.md --unrun text.md -o odd >out 2>given
 test $? -eq 2 && diff -u - out >"$why" <<'END'
@@ -531,7 +536,10 @@ result $? 'report: its default folder, its style, and the summary of pages that 
 sed 's/^cycles .*/cycles 1\nsnapshot/; s/^disc .*/&\nlattice discs 60 by 60 m radius 1 from 9 9/; s/^plot .*/plot x/; s/within 1e-15/within 999/' one/page.md >much.md
 run 0 report much.md --trust -o much && cp much/much/index.html "$why" && test -s much/much/table.tsv && test ! -e much/much/much.gp &&
   test ! -e much/much/flight-particles.tsv && said '<p>Not kept here, because they are large: flight-particles.tsv, much.gp. They' &&
-  { ! command -v gnuplot >/dev/null || { said 'src="much.svg"' && test -s much/much/much.svg; }; }
+  { ! command -v gnuplot >/dev/null || {
+    said 'src="much.svg"' && test -s much/much/much.svg && sed -n '/^<p>Files/,/<.p>/s/.*href="\([^"]*\)".*/\1/p' "$why" | tr '\n' ' ' >given &&
+      echo 'much.md much.png table.tsv values.tsv verdict.tsv ' | tr -d '\n' | cmp - given
+  }; }
 result $? 'report: a large snapshot and script are not kept'
 # The time of a page is the sum of its runs: here the first one has 180000 cycles, the others one.
 site_page 'Times' '1e-6 1 2' 'D.x above 0' | sed 's/^cycles.*/record every 100000 cycles\nuntil D.x above 1.09 at most 200000 cycles/' >times.md
@@ -543,7 +551,9 @@ mkdir -p targets/in targets/more/in targets/third/in
 echo text | tee targets/in/h.bin >targets/in/c:d.txt
 for folder in more third; do echo $folder >targets/$folder/in/h.bin; done
 printf '# Targets\n\n[no](in/%01000d) [c](in/c:d.txt) [h](in/h.bin\t"a title") [m](more/in/h.bin) [t](third/in/h.bin) [again](more/in/h.bin)\n' 0 >targets/README.md
-run 0 report targets/README.md -o targets-site && grep . targets-site/files/* | sed 's,.*/,,' >given &&
+echo text >targets/only.txt
+sed 's/^units.*/& # [a](only.txt)/' one/page.md >targets/page.md # a comment has no links
+run 0 report targets/README.md targets/page.md -o targets-site && grep . targets-site/files/* | sed 's,.*/,,' >given &&
   tr '\n' ' ' <targets-site/index.html | grep -o '<p><span>.*again</a></p>' | cat given - | diff -u /dev/fd/3 - >"$why" 3<<'END'
 1-in-h.bin.txt:more
 2-in-h.bin.txt:third
