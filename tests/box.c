@@ -8,6 +8,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/affine.h"
 #include "core/model.h"
@@ -158,7 +159,7 @@ static void walls_follow_until_they_are_moved(void) {
 }
 
 /* If a stage moves or removes one of the four walls, none of them follows the strain rate any more, and the others stop.
- * A wall that the page defines before the box or after it does not end the strain. */
+ * A wall that the page defines before the box or after it does not end the strain, and keeps its own velocity. */
 static void any_wall_that_moves_ends_the_strain(void) {
   static const struct {
     const char *line;
@@ -173,6 +174,9 @@ static void any_wall_that_moves_ends_the_strain(void) {
       {"wall west velocity 0.08 0.16", -0.001, 0},
       {"remove wall south", 0, 0},
       {"remove wall east", 0, 0},
+      {"ramp wall east velocity 0 0", 0.16 / 2 * 0.0125, 0}, /* from the velocity 2 * 1e-3/0.0125 in stage a */
+      {"ramp wall east velocity 0 0\nwall west velocity 0 0", 0.16 / 2 * 0.0125, 0},
+      {"wall west velocity 0 0\nramp wall east velocity 0 0", 0.16 / 2 * 0.0125, 0},
       {"wall north spin 0", 0, 0}, /* without a velocity the wall has that of the lines before: 0 */
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
@@ -182,13 +186,19 @@ static void any_wall_that_moves_ends_the_strain(void) {
     words_add(
         &page,
         "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nwall first -9 7 to -8 7 m\n"
-        "box -2 -2 to 2 2 m\nwall last 8 7 to 9 7 m\nrecord box.width box.height\nstage a\nbox strain 1e-3 per "
-        "cycle 1e-3 per cycle\ncycles 1\nstage b\n%s\ncycles 1\n",
+        "box -2 -2 to 2 2 m\nwall last 8 7 to 9 7 m velocity 1 0\nmonitor F wall first\nmonitor L wall last\n"
+        "record box.width box.height F.x L.x\nstage a\nwall first velocity 2 0\nbox strain 1e-3 per cycle 1e-3 per "
+        "cycle\ncycles 1\nstage b\n%s\ncycles 1\n",
         rows[k].line);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.width"), 4 * 1.001 + rows[k].width, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.height"), 4 * 1.001 + rows[k].height, 1e-12);
+    const bool first = strstr(rows[k].line, "first"), last = strstr(rows[k].line, "last");
+    const double f = written_last(&result, "F.x") - written_cell(&result.table, 1, "F.x"),
+                 l = written_last(&result, "L.x") - written_cell(&result.table, 1, "L.x");
+    CU_ASSERT(first || fabs(f - 2 * 0.0125) < 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(l, (last ? 0.08 : 1) * 0.0125, 1e-14);
     nb_result_free(&result);
     written_free(&it);
   }
