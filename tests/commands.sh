@@ -1419,6 +1419,13 @@ if command -v script >/dev/null; then
     END { exit !(seen && cleared == seen && timed && !bad) }' "$why"
   result $? 'the progress of a search on a terminal, and its times'
 
+  script -qec "'$nineball' state slow.md --set n=$cycles -o slow.state" /dev/null </dev/null 2>&1 | tr '\r' '\n' >"$why"
+  awk -v clear="$(printf '\033[K')" '
+    / s left/ { seen++; bad += !/^slow.md, stage a: [ 0-9][ 0-9][0-9] %, [0-9]* s left   $/ }
+    $0 == clear "the state at the end of stage `a` is in slow.state" { cleared = seen }
+    END { exit !(seen && cleared == seen && !bad) }' "$why"
+  result $? 'the progress of a state on a terminal'
+
   # A report writes the page that is next. When k pages took more than 2 s, the n - k others take (n - k)/k of this time, here 2 and 1/2.
   # After 2 s and then every half a second it writes the fraction P of the run, and the rest L of its time: L*P/(100 - P) is the time so far.
   # Of the pages it prints only those that failed, each on a line of its own.

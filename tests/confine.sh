@@ -334,4 +334,12 @@ printf '#!/bin/sh\necho no >&2\nexit 128\n' >bin/gnuplot
 PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o folder --trust >out.txt 2>said
 test $? -eq 2 && printf 'no\nnineball: gnuplot refused folder/nothing.gp: no\n' | diff - said >why
 result $? 'a program that ends with the status 128'
+# With --checkpoint the first signal waits for the figure, and the second one ends the process.
+printf '#!/bin/sh\n: >%s/started\nexec sleep 5\n' "$work" >bin/gnuplot
+PATH=$work/bin:$PATH NINEBALL_CONFINE=none "$nineball" figure cases/nothing.md -o folder --trust --checkpoint --states states >out.txt 2>why &
+while kill -0 $! && test ! -e started; do sleep 0.01; done
+while kill -INT $! 2>/dev/null; do sleep 0.2; done
+wait $!
+test $? -eq 130 && test ! -s why
+result $? 'a second signal ends the process'
 echo "1..$n"

@@ -474,9 +474,9 @@ if command -v script >/dev/null; then # both streams are the same terminal
   done
   verdict 'warnings: once on a terminal, twice if standard output is a file'
   sed 's/^cycles.*/cycles 1000000000/' "$pages/warns.md" >long.md
-  timeout -s INT 4 script -qec "timeout -s INT 3 '$nineball' run long.md" /dev/null 2>&1 </dev/null | tr '\r' '\n' |
-    sed '/, stage .* s left/q' >out
-  grep -q 'long.md:4: warning: friction' out || echo 'no warning before the first line of progress' >>why
+  timeout -s INT 4 script -qec "timeout -s INT 3 '$nineball' run long.md" /dev/null 2>&1 </dev/null | tr '\r' '\n' >out
+  sed '/, stage .* s left/q' out | grep -q 'long.md:4: warning: friction' || echo 'no warning before the first line of progress' >>why
+  test "$(grep -c 'long.md:4: warning: friction' out)" -eq 1 || echo 'not one warning' >>why
   grep -q ' s left' out || echo 'no progress' >>why
   rm -rf long.out
   verdict 'warnings: before the first line of progress'

@@ -232,8 +232,8 @@ grep -q '<math.*<msqrt>' made/first/index.html && grep -q '<h1 [^>]*>First &amp;
 result $? 'report: typeset mathematics, previous and next page, the source'
 awk '/```expect/ { checks = NR } END { exit !checks }' site/second.md && grep -q '<circle' made/second/index.html
 result $? 'report: a trend shows its points'
-run 0 report site/first.md --unrun site/second.md -o unrun && grep -q 'not run' unrun/index.html &&
-  grep -q 'nineball check site/second.md' unrun/second/index.html && test ! -e unrun/second/table.tsv
+run 0 report site/first.md --unrun site/second.md --unrun "$pages/hidden.md" -o unrun && grep -q 'not run' unrun/index.html &&
+  grep -q 'nineball check site/second.md' unrun/second/index.html && test ! -e unrun/second/table.tsv && test -e unrun/hidden/index.html
 result $? 'report: a page that is not run says how to run it'
 run 2 report site/first.md other/../site/first.md -o unrun && said 'have the same name'
 result $? 'report: a page that is given twice'
@@ -656,6 +656,9 @@ if command -v gnuplot >/dev/null; then
     grep -q 'no datablock named' some/broken/index.html && test ! -e some/broken/broken.svg &&
     grep -q '<td class="fail">no figure<br><small>gnuplot refused some/broken/broken.gp: ' some/index.html
   result $? 'report: a figure that cannot be drawn is status 2, and says why'
+  cp "$pages/passes.md" 'a&b #1%.md'
+  run 0 report 'a&b #1%.md' -o some && test -s 'some/a&b #1%/a&b #1%.svg' && cp 'some/a&b #1%/index.html' "$why" && said 'src="a%26b%20%231%25.svg"'
+  result $? 'report: the figure of a page whose name has signs'
   sed 's/^plot .*//' "$pages/passes.md" >empty.md
   run 2 figure empty.md -o some && said 'nineball: some/empty.gp draws nothing'
   result $? 'figure: a block that draws nothing is status 2'
