@@ -123,6 +123,22 @@ static void variants_near_and_far(void) {
   }
 }
 
+/* A variant that differs in one of two runs alone is neither equal to the page nor near it, whichever run this is. */
+static void a_variant_that_differs_in_one_run(void) {
+  for (int last = 0; last < 2; last++) {
+    struct asked it;
+    ask(&it, "scene",
+        last ? FLIGHT("sweep u 2 1\nlet w = 1\ntrade w 1.5\ntrade laws none\n", "(1 + (w - 1)*(2 - u))")
+             : FLIGHT("sweep u 1 2\nlet w = 1\ntrade w 1.5\ntrade laws none\n", "(1 + (w - 1)*(2 - u))"),
+        "D.vx", "1 %", NULL);
+    CU_ASSERT_EQUAL_FATAL(it.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(it.advice.variant_count, 2);
+    CU_ASSERT_STRING_EQUAL(it.advice.variants[1].reason,
+                           "its value differs from that of the page by 50 times the tolerance, in run u=1");
+    finish(&it);
+  }
+}
+
 /* The tolerance of the step is 0.0124. The page needs level 2, which has 2*4*64 = 512 updates, and its anchor is at
  * level 3. The variant has three times the step and is within the tolerance at level 3. With 68 cycles level 2 of the
  * variant is still tried, because 0.9 of its updates are fewer than 512; level 3 is not. With 16 cycles level 3, with
@@ -251,7 +267,7 @@ static void the_cost_of_all_runs(void) {
   finish(&it);
 }
 
-/* Messages about pages and values: 51 particles of a single run, but not of a mean; a value with an uncertainty of 3 times its
+/* Messages about calls, pages and values: 51 particles of a single run, but not of a mean; a value with an uncertainty of 3 times its
  * step, 0.016*2/4096, in the second run, for the tolerance 1e-6; a name of realizations that is nearly that of the page. */
 static void whole_messages(void) {
 #define MANY                                                                                                           \
@@ -274,6 +290,13 @@ static void whole_messages(void) {
        NB_BAD_USE},
       {MANY, "time", "1 %", "other",
        "expected after --over a name that the page defines by `let` or `sweep`, found `other`", NB_BAD_USE},
+      {FLIGHT("", "1"), NULL, "1 %", NULL,
+       "the page has no expectation of a single value: name a quantity that it records, by --quantity", NB_BAD_USE},
+      {FLIGHT("", "1"), "D.vx", "1 % of peak", NULL,
+       "expected a tolerance like `1 %`, or a number in the unit of the quantity", NB_BAD_USE},
+      {FLIGHT("", "1"), "D.vx", "0 %", NULL, "expected a tolerance above 0", NB_BAD_USE},
+      {FLIGHT("let refine = 2\nlet w = refine\n", "1"), "D.vx", "1 %", NULL,
+       "the page has a value named `refine`, which hides --set refine=R: rename this value", NB_BAD_USE},
       {STEPS("trade laws none\nsweep e 1 2 1.5\n", "64"), "step", "1e-6", NULL,
        "`step within 1e-6`: the value is not known well enough: with the step divided by 4096 its uncertainty is 23 "
        "times "
@@ -295,6 +318,7 @@ void suite_advice(void) {
   CU_pSuite suite = CU_add_suite("advice", NULL, NULL);
   CU_ADD_TEST(suite, the_anchor_may_have_half_the_tolerance);
   CU_ADD_TEST(suite, variants_near_and_far);
+  CU_ADD_TEST(suite, a_variant_that_differs_in_one_run);
   CU_ADD_TEST(suite, levels_of_a_variant_that_costs_as_much);
   CU_ADD_TEST(suite, a_contact_test_trades_its_laws);
   CU_ADD_TEST(suite, a_mean_must_be_known_as_well_as_the_tolerance);

@@ -70,6 +70,20 @@ linear|none|0.125|0.8|4|0.0368266|0.0331439|0|chosen|-|k=2 N/m, n=8|6
 # not run: refine=0.0625: particle 1
 END
 result $? 'the table of two traded values'
+# The figure has the settings of each variant in a block of its own, and a block with the advice.
+awk -F '\t' '/<< EOD/ { print $1 } NF == 13 && $1 != "normal" { print $12 }' flight/advice.gp | diff -u - /dev/fd/3 >"$why" 3<<'END'
+$variant0 << EOD
+-
+$variant1 << EOD
+k=2 N/m
+$variant2 << EOD
+n=8
+$variant3 << EOD
+k=2 N/m, n=8
+$chosen << EOD
+k=2 N/m, n=8
+END
+result $? 'the blocks of the figure'
 
 # With 3 % the variant with both values misses the tolerance. It is the next cheaper setting, so the next longer step is not mentioned.
 run 0 advise flight.md --set 'k=4 N/m' --set 'u=1 m/s' --quantity D.vx --within '3 %' -o flight --trust &&
@@ -448,4 +462,17 @@ END
 run 1 advise still.md --quantity D.vx --within 1e-5 -o none --trust && said 'no setting that was tried is within the tolerance' &&
   grep -qx "set ylabel 'estimated error'" none/advice.gp && grep -q '^plot .variant0 ' none/advice.gp && ! grep 'the advice' none/advice.gp
 result $? 'the figure of a search without advice'
+
+# Calls that are refused.
+use='nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '"'1 %'"'`, and with --budget a number of seconds above 0; for many pages write `nineball advise --all`'
+for call in still.md 'still.md mean.md --within 1' 'still.md --within 1 --budget 0' '--all --budget 0'; do
+  run 2 advise $call && test "$(head -n 1 "$why")" = "$use"
+  result $? "a call that is refused: $call"
+done
+for call in '--over seed --realizations 7' '--over seed --realizations 33' '--realizations 8' '--all --realizations 8'; do
+  run 2 advise mean.md --within 1 $call && test "$(head -n 1 "$why")" = 'nineball: expected --realizations from 8 to 32, together with --over NAME'
+  result $? "a call that is refused: $call"
+done
+run 2 advise mean.md --within 1 --over seed --set seed=2 && said 'mean.md: error: --over seed and --set seed=2 exclude each other: remove one of the two'
+result $? 'a name with one value and many'
 echo "1..$n"
