@@ -112,6 +112,11 @@ grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]
 test "$(cut -d '|' -f 1 "$work/synonyms" | wc -w)" -eq 1830 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&
   test ! -s "$work/said"
 result $? 'the table has 1830 words of other programs, and none is in two rows'
+# A typing error in one of these words, which nobody would find: after a change of the table, compare its words and their
+# meanings with the sources again, and renew the sum.
+sum=$(LC_ALL=C sort "$work/synonyms" | cksum)
+echo "$sum" >"$work/said" && test "$sum" = '4214982378 30904'
+result $? 'words of other programs, and their meanings, are those that were compared with the sources'
 # The meaning of words in rows without an explanation, once more, because the test below reads it from the table.
 cat >"$work/wanted" <<'END'
 ball|disc, sphere
@@ -245,6 +250,29 @@ of_contact_mobilised_friction|the mobilized friction of a contact is its shear f
 of_particle_kinetic_energy|the energy of one particle is no quantity: it follows from `record A.vx A.vy A.spin`; `energy.kinetic` is that of all free particles
 quantity_box.pressure|the mean stress of a box is `box.stress.mean`
 until_contact|to end a stage at the end of a contact, write `until C.overlap below 1e-12 m at most 1000000 cycles` in a stage that begins during the contact, with `monitor C disc 1 with disc 2` in the scene; to end a stage at the first cycle of the contact, write `until C.overlap above 0 m at most 1000000 cycles`
+spheres|several particles are `lattice spheres 20 by 1 radius 5 mm MATERIAL`, or `fill spheres`; a line `sphere` is one particle
+brick|particles are discs or spheres: `disc 0 m 0 m radius 5 mm MATERIAL`; a regular packing is `lattice discs hexagonal 20 by 20 radius 5 mm MATERIAL`
+loop|there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 more times`
+save|nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories
+fixed_spin|`rotation off`, a line of its own below a line `stage NAME`, prevents the rotation of all particles; `spin W` is an angular velocity at the start, which a `fixed` particle keeps: `disc 0 m 0 m radius 5 mm MATERIAL spin 0 rad/s`
+sphere_at|a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`
+lattice_triangular|the rows of a lattice are `square`, or `hexagonal`, which is triangular: `lattice discs hexagonal 10 by 10 radius 5 mm MATERIAL`
+wall_at|a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`
+lattice_fixed|only a line `disc` or `sphere` has `fixed`: `disc 0 m 0 m radius 5 mm MATERIAL fixed`; a straight row of fixed particles is a `wall`, and all particles along the edge are held by a `boundary circle` and `boundary fixed` in a stage
+contact_test_sphere|the two particles are one line, `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`
+contact_spheres|write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`
+scene_report|an expectation or a report belongs in a block `expect`, after the block `scene`: for example `report energy.kinetic max in STAGE`
+model_new|a page needs no such line; the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or `periodic cell 0 m 0 m to 1 m 1 m`
+model_save|nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME`
+fix_NUMBER|motion is integrated without a statement; a wall is `wall floor -1 m 0 m to 1 m 0 m MATERIAL`, gravity is `gravity 0 m/s2 -9.81 m/s2`
+expect_always|to check all rows of a stage write `A.vx min in STAGE  above -1 m/s` and `A.vx max in STAGE  below 3 m/s`; a value at one time is `A.vx at 0.1 s  expected 3 m/s within 1 % [SOURCE]`
+expect_first|the first row of the run is `at 0 cycles`. The first row of a later stage, or after `start`, is `at N cycles`: `record cycle` and `report cycle min in STAGE` show N; `nineball --help expect` lists all such words
+expect_range|the largest value minus the smallest one is twice the amplitude, `C.normal amplitude in STAGE  below 1 N`; for a range of values write two lines, one with `above` and one with `below`
+expect_print|write `report energy.kinetic max in STAGE`
+whole_time_of_max|there is no time of a maximum: let the event end a stage, `until C.normal above 1 N at most 1000000 cycles`, and with `record time` check `time last in STAGE  above 0 s`
+quantity_rebound_height|the height of a rebound is the largest `A.y` after it, with `monitor A disc 1` and `record A.y`: one stage ends with the contact, `until C.overlap below 1e-12 m at most 1000000 cycles`, the next one at the top, `until A.vy below 0 m/s at most 1000000 cycles`, and `report A.y max in STAGE` has its height
+drop|a drop begins with a particle above a wall: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`, `disc 0 m 0.5 m radius 5 mm MATERIAL` and `gravity 0 m/s2 -9.81 m/s2`. Its height is the y of the centre less the radius
+box_open|a box has four walls; open at the top it is three lines: `wall floor 0 m 0 m to 1 m 0 m MATERIAL`, `wall left 0 m 1 m to 0 m 0 m MATERIAL` and `wall right 1 m 0 m to 1 m 1 m MATERIAL`
 END
 test ! -s "$work/said"
 result $? 'nineball --help explains words of other programs'
