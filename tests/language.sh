@@ -117,6 +117,10 @@ result $? 'the table has 1830 words of other programs, and none is in two rows'
 sum=$(LC_ALL=C sort "$work/synonyms" | cksum)
 echo "$sum" >"$work/said" && test "$sum" = '4214982378 30904'
 result $? 'words of other programs, and their meanings, are those that were compared with the sources'
+# Likewise the words of the patterns for whole lines of other programs.
+sum=$(sed -n 's/^  {\(NB_\|BOTH\)[^"]*"\([^"]*\)", .*/\2/p' src/input/foreign.c | LC_ALL=C sort | cksum)
+echo "$sum" >"$work/said" && test "$sum" = '2024708919 7325'
+result $? 'the patterns for lines of other programs are those that were compared with the sources'
 # The meaning of words in rows without an explanation, once more, because the test below reads it from the table.
 cat >"$work/wanted" <<'END'
 ball|disc, sphere

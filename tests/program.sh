@@ -281,7 +281,7 @@ damping   ratio 30
 damping   walls ratio 1.01
 let       zeta = 2
 step      1 us
-record    box.stress.mean box.stress.xx M.stress.xy M.stress.shear.xx
+record    box.stress.mean box.stress.xx box.stress.yy box.stress.major box.stress.minor M.stress.xy M.stress.shear.xx
 stage     one
 damping   ratio 200 %
 until     box.stress.mean below -100 kPa at most 2 cycles
@@ -304,6 +304,9 @@ box.stress.xx min  above -1 kPa
 M.stress.xy max    below -1 kPa
 M.stress.shear.xx  below -1 kPa
 box.stress.xx max  expected -2 of box.stress.mean max within 1 % [a ratio is not a pressure]
+box.stress.yy      below -1 kPa
+box.stress.major   below -1 kPa
+box.stress.minor   below -1 kPa
 ```
 END
 run 0 explain signs.md
@@ -317,7 +320,10 @@ said "signs.md:18: warning: \`servo yy\` $tension \`servo yy 1000 Pa\`"
 said "signs.md:19: warning: \`box.stress.mean above\` $tension \`box.stress.mean below 100000 Pa\`"
 said "signs.md:29: warning: \`box.stress.xx below\` $tension \`box.stress.xx above 1000 Pa\`"
 said "signs.md:30: warning: \`box.stress.xx expected\` $tension \`box.stress.xx expected 1000 Pa\`"
-test "$(grep -c 'warning' said)" -eq 9 || echo 'not nine warnings' >>why
+said "signs.md:35: warning: \`box.stress.yy below\` $tension \`box.stress.yy above 1000 Pa\`"
+said "signs.md:36: warning: \`box.stress.major below\` $tension \`box.stress.major above 1000 Pa\`"
+said "signs.md:37: warning: \`box.stress.minor below\` $tension \`box.stress.minor above 1000 Pa\`"
+test "$(grep -c 'warning' said)" -eq 12 || echo 'not twelve warnings' >>why
 sed 's/ratio 30/ratio 1/; s/ratio 1.01/r89-fraction 30/; s/spin -1/spin 1/; s/-1 kPa/1 kPa/; s/-100 kPa/100 kPa/' signs.md >plus.md
 run 0 explain plus.md
 quiet said

@@ -630,7 +630,7 @@ stage     go
 ```
 END
 # from FILE SETTINGS: writes the page FILE, which starts from `counted` with the settings.
-from() { printf '# From\n```scene\nstart counted stage go %s\nmonitor D disc 1\nrecord cycle D.vx\nstage more\n  cycles 1\n```\n' "$2" >"$pages/$1.md"; }
+from() { printf '# From\n```scene\nstart counted stage go %s\nmonitor D disc 1\nrecord cycle D.vx\nstage more\n  cycles 1\n  snapshot from more\n```\n' "$2" >"$pages/$1.md"; }
 from with-1 ''
 from with-2 'with n=5'
 from with-3 'with n=5 with v=7'
