@@ -381,6 +381,30 @@ static void friction_switches_shear(void) {
   }
 }
 
+/* A disc slides on a floor without friction. From the first cycle of a ramp of the friction on, the shear force T rotates
+ * it: the spin is dt/I (T_1 + ... + T_(n-1) + T_n/2) with I = pi/2. */
+static void rotation_begins_with_the_friction(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100 ks 80\nshear linear\ngravity 0 -1\ndisc 0 0.98 radius 1 m "
+            "velocity 1 0\nwall floor -9 0 to 99 0 m\nmonitor D disc 1\nmonitor C disc 1 with wall floor\n"
+            "record D.spin C.shear\nstep 0.01\nstage a\ncycles 2\nstage b\nramp material m friction 0.5\ncycles 20\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  double sum = 0;
+  for (size_t row = 0; row <= 22; row++) {
+    const double shear = written_cell(&result.table, row, "C.shear");
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "D.spin"), 0.01 / (acos(-1) / 2) * (sum + shear / 2),
+                           1e-12);
+    sum += shear;
+  }
+  CU_ASSERT(sum < -10);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* When the contact opens, the normal and the shear force are 0, whatever the cohesion c is. At a very small normal
  * force the limit of the shear force is c. [CS79 19] */
 static void cohesion_carries_no_tension(void) {
@@ -520,6 +544,7 @@ void suite_changes(void) {
   CU_add_test(suite, "pairs change", pairs_change);
   CU_add_test(suite, "zero velocities is a start from rest", zero_velocities_starts_from_rest);
   CU_add_test(suite, "friction switches shear on and off", friction_switches_shear);
+  CU_ADD_TEST(suite, rotation_begins_with_the_friction);
   CU_add_test(suite, "cohesion carries no tension", cohesion_carries_no_tension);
   CU_add_test(suite, "the step follows the stiffness", the_step_follows);
   CU_add_test(suite, "weight counts in unbalanced.max", weight_counts_in_the_balance);
