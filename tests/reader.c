@@ -338,7 +338,7 @@ static void parts_of_names(void) {
               {"normal", "M.normal.max", true},   {"max", "M.normal.max", true},
               {"nor", "M.normal.max", false},     {"yy", "M.stress.yy", false},
               {"stress.yy", "yy", true},          {"stress.y", "y", false},
-              {"stress.yy", "xx", false}};
+              {"stress.yy", "xx", false},         {"ener", "energy.kinetic", false}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_guess guess = nb_guess_begin(rows[k].typed);
     nb_guess_offer(&guess, rows[k].known);
@@ -349,13 +349,16 @@ static void parts_of_names(void) {
 /* Words of other programs: with another separator, in capitals, in the plural, or with arguments. A letter alone is
  * another word as a capital: `g` is gravity, and `G` the shear modulus. */
 static void spellings_of_other_programs(void) {
-  static const char *const same[] = {"friction_angle", "friction-angle",  "friction angle",   "friction.angle",
-                                     "Friction_Angle", "friction_angles", "friction_angle(2)"};
+  static const char *const same[] = {"friction_angle", "friction-angle",  "friction angle",    "friction.angle",
+                                     "Friction_Angle", "friction_angles", "friction_angle(2)", "FRICTION_ANGLE"};
   const struct nb_synonym *const angle = nb_synonym(same[0]);
   CU_ASSERT_PTR_NOT_NULL_FATAL(angle);
   for (size_t k = 0; k < sizeof same / sizeof *same; k++)
     CU_ASSERT_PTR_EQUAL(nb_synonym(same[k]), angle);
   CU_ASSERT_PTR_NULL(nb_synonym("friction_anglesx"));
+  CU_ASSERT_STRING_EQUAL(nb_synonym("psds")->ours,
+                         "grading"); /* of `psd`; the plural of two letters would be too short */
+  CU_ASSERT_PTR_NULL(nb_synonym("mus"));
   CU_ASSERT_PTR_NULL(nb_synonym(""));
   CU_ASSERT_STRING_EQUAL(nb_synonym("g")->ours, "gravity");
   CU_ASSERT_STRING_EQUAL(nb_synonym("G")->ours, "young");
