@@ -472,7 +472,8 @@ END
 done
 sed '/^%s$/d' alone.md >lone.md # no `search` and no shear force that a message names
 "$nineball" explain lone.md >out 2>"$why" && ! grep '(no shear\|inf' out &&
-  grep -qx '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), search, periodic cell, boundary, servo, regions' out
+  grep -qx '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), search, periodic cell, boundary, servo, regions' out &&
+  grep -qx '  116 bytes a particle (without rotation), 52 a contact (3 kept fields, 0 history variables of laws)' out
 result $? 'what a page with one disc does not use'
 
 # Shear forces are used, although only a later stage has a shear law. A step of --set has no line.

@@ -925,6 +925,17 @@ out '  last, 30 to 39 cycles: the condition on line 21 decides'
 run 0 run clock.md
 out '  65 cycles, 0 contact updates, '
 out ' s; expected 56 to 74 cycles'
+{ cat clock.md && printf '```expect\ncycle max below 1\n```\n'; } >failed.md # also after a check that failed
+run 1 run failed.md
+out ' s; expected 56 to 74 cycles'
+sed 's/^units none/&\nsweep v 1 0.5/; s/velocity 1 0/velocity $v 0/' clock.md >twice.md # the sums of two runs
+for jobs in 1 2; do
+  run 0 run twice.md --jobs $jobs
+  out '  130 cycles, 0 contact updates, '
+  out ' s; expected 112 to 148 cycles'
+done
+run 0 explain twice.md
+out '  112 to 148 cycles, 0 contact updates, '
 sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/time above 1e9/' clock.md >never.md
 run 0 explain never.md
 out '  on, about 6 cycles'
