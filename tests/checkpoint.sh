@@ -75,6 +75,12 @@ test $? -eq 130 && ! said 'none.md: error' && grep -qxF "to continue: $nineball 
 result $? 'the pages after an interrupted one are not run'
 rm -rf "$states"
 
+sed 's/^time  expected 36/time  expected 35/; s/^sweep .*/let friction = 0.3/' "$page" >"$work/failing.md"
+"$nineball" check "$work/failing.md" --states "$states" --checkpoint=0.01 >"$work/printed" 2>"$why"
+test $? -eq 1 && test -d "$states" && test -z "$(ls "$states")"
+result $? 'the checkpoints of a page with a failed check are removed at its end'
+rm -rf "$states"
+
 # A contact test has no checkpoints: the first signal ends it.
 cat >"$work/pressed.md" <<'END'
 # Pressed
