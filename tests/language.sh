@@ -112,15 +112,15 @@ grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]
 test "$(cut -d '|' -f 1 "$work/synonyms" | wc -w)" -eq 1830 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&
   test ! -s "$work/said"
 result $? 'the table has 1830 words of other programs, and none is in two rows'
-# A typing error in one of these words, which nobody would find: after a change of the table, compare its words and their
-# meanings with the sources again, and renew the sum.
+# Nobody would find a typing error in one of these words. The sum says only that the table has not changed: after a change
+# compare the row with the manual of the other program, and renew the sum.
 sum=$(LC_ALL=C sort "$work/synonyms" | cksum)
 echo "$sum" >"$work/said" && test "$sum" = '4214982378 30904'
-result $? 'words of other programs, and their meanings, are those that were compared with the sources'
+result $? 'no row of words of other programs has changed since its review'
 # Likewise the words of the patterns for whole lines of other programs.
 sum=$(sed -n 's/^  {\(NB_\|BOTH\)[^"]*"\([^"]*\)", .*/\2/p' src/input/foreign.c | LC_ALL=C sort | cksum)
 echo "$sum" >"$work/said" && test "$sum" = '2024708919 7325'
-result $? 'the patterns for lines of other programs are those that were compared with the sources'
+result $? 'no pattern for lines of other programs has changed since its review'
 # The meaning of words in rows without an explanation, once more, because the test below reads it from the table.
 cat >"$work/wanted" <<'END'
 ball|disc, sphere
