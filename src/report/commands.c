@@ -91,9 +91,10 @@ static void warn_of_rows(const struct nb_outcome *outcome, const char *path) {
     most = rows[s] > rows[most] ? s : most;
   if (rows && all > most_rows) {
     const struct nb_stage *const stage = &scene->stages[most];
-    double every = 10 * (double)stage->record_interval;
-    for (double left = rows[most] / 10; left > most_rows / 2 - (double)outcome->run_count; left /= 10)
-      every *= 10;
+    double every = (double)stage->record_interval, left = rows[most];
+    do
+      every *= 10, left /= 10;
+    while (left > most_rows / 2 - (double)outcome->run_count);
     fprintf(stderr,
             "%s:%d: warning: table.tsv has %.0f rows, most of them of stage `%s`: write `record every %.0f %s` in it\n",
             path, stage->line, all, stage->name, every, scene->contact_test ? "steps" : "cycles");
