@@ -107,6 +107,7 @@ static void replaced_segments(void) {
       "# A title\n```contact-test\nmaterial g young 70 GPa poisson 0.25 friction 0.3\nnormal hertz\nshear mindlin\n"
       "contact sphere 1 mm g with sphere 1 mm g\nsegment press overlap to 2 um in 10 steps\n```\n\nWords.\n\n"
       "```expect\n# the first one\n\noverlap expected 2 um within 1e-12 m [t]\nslip expected 0 m within 0 m [t]\n```\n"
+      "> ```expect\n> slip expected 1 m within 0 m [t]\n> ```\n"
       "```gnuplot\nplot 1\n```\n";
   for (int followed = 0; followed < 2; followed++) {
     char page[] = "/tmp/nineball-verdict-XXXXXX", points[] = "/tmp/nineball-verdict-XXXXXX", follow[64];
@@ -115,8 +116,10 @@ static void replaced_segments(void) {
     snprintf(follow, sizeof follow, "follow=%s", points);
     nb_outcome_make(&outcome, page, (const char *const[]){followed ? follow : NULL, NULL}, NULL, NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
-    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
-    CU_ASSERT_EQUAL(outcome.mark_count[followed ? NB_SKIP : NB_PASS], 2);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
+    CU_ASSERT_EQUAL(outcome.mark_count[NB_SKIP], followed ? 3 : 1);
+    CU_ASSERT_EQUAL(outcome.mark_count[NB_PASS], followed ? 0 : 2);
+    CU_ASSERT(outcome.checks[2].line == 19 && strstr(outcome.checks[2].message, "the block is in a quote"));
     for (int k = 0; k < 2; k++) {
       CU_ASSERT_EQUAL(outcome.checks[k].line, 15 + k);
       CU_ASSERT(!followed || strcmp(outcome.checks[k].message, "`follow` replaces the segments of the page") == 0);
