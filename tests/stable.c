@@ -363,12 +363,40 @@ static void the_kept_force_counts(void) {
   written_free(&it);
 }
 
+/* Each contact counts with its own history. The first pair of spheres has the larger force and slips, the second one is
+ * smaller and stays at rest: with both the step is that of the second one alone, to the bit. */
+static void each_history_counts(void) {
+  static const char *const pairs[] = {
+      "sphere 0 m 0 m radius 2 mm g velocity 0 m/s 100 m/s\nsphere 3.99 mm 0 m radius 2 mm g\n",
+      "sphere 9 mm 0 m radius 1 mm g\nsphere 10.995 mm 0 m radius 1 mm g\n"};
+  double steps[4];
+  for (int which = 1; which <= 3; which++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "material g density 2500 kg/m3 young 70 GPa poisson 0.25 friction 0.3\nnormal hertz\nshear randall\n%s%s"
+              "step 1e-8 s\nrecord step.stable\nstage s\ncycles 9\n",
+              which & 1 ? pairs[0] : "", which & 2 ? pairs[1] : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 3);
+    steps[which] = written_now(model, "step.stable");
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(steps[1] > steps[2]);
+  CU_ASSERT(steps[3] == steps[2]);
+}
+
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices equal closed forms", lattices_equal_closed_forms);
   CU_add_test(suite, "margins stated in step-limit.md", margins_stated_in_step_limit);
   CU_add_test(suite, "rotation lowers the limit by thirty per cent", rotation_lowers_the_limit);
   CU_add_test(suite, "the limit of a damped pair equals its formula", damping_has_its_formula);
+  CU_ADD_TEST(suite, each_history_counts);
   CU_ADD_TEST(suite, walls_have_their_own_damping);
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
   CU_ADD_TEST(suite, the_kept_force_counts);
