@@ -541,6 +541,7 @@ static void a_stage_is_checked_as_it_begins(void) {
   CU_ASSERT_EQUAL(ends(STAGES("", ""), &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\n"), &cycles, &error), NB_BROKEN);
   CU_ASSERT_EQUAL(cycles, 3);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "at cycle 3, time 1.2, the step 0.6 is above")); /* since the start */
   CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\nallow unstable\n"), &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(ends(STAGES("step 0.6\nallow unstable\n", ""), &cycles, &error),
                   NB_BROKEN); /* stage b keeps the step, but `allow unstable` holds for stage a only */

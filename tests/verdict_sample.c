@@ -49,7 +49,11 @@ static void samples(void) {
        NB_PASS,
        "from 1 to 2: mean difference +1, 95 % confidence 1 to 1, mean 5.5; from 2 to 3: mean difference +1, 95 % "
        "confidence 1 to 1, mean 6.5"},
-      {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, -1, 9, 2, 12}, NB_FAIL, ""},
+      {"sweep T 1 2 3\nsweep s 1 2", /* the differences after one that fails are shown, too */
+       "A.x increases with T over s",
+       {0, 10, -1, 9, 2, 12},
+       NB_FAIL,
+       "; from 2 to 3: mean difference +3,"},
       {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
       {"sweep T 1 2\nsweep s 1 2", "A.x decreases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
       {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11, 0, 10}, NB_FAIL, ""},
