@@ -82,6 +82,19 @@ static void blocks(void) {
   done(&read);
 }
 
+/* The title is the first heading outside a block, in any line. */
+static void titles(void) {
+  static const char *const rows[][2] = {{"# A", "A"},
+                                        {"\nwords\n# B\n# C\n", "B"},
+                                        {"```text\n# not this\n```\n# D\n", "D"},
+                                        {"## not this\n#nor this\n", ""}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct read read = read_bytes(rows[k][0], strlen(rows[k][0]), 0, NULL);
+    CU_ASSERT_STRING_EQUAL(read.page.title, rows[k][1]);
+    done(&read);
+  }
+}
+
 static void hash(void) { /* the test vectors of Fowler, Noll and Vo */
   struct read a = read_bytes("a", 1, 0, NULL), foobar = read_bytes("foobar", 6, 0, NULL);
   CU_ASSERT_EQUAL(a.page.hash, 0xaf63dc4c8601ec8cULL);
@@ -368,6 +381,7 @@ void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
   CU_add_test(suite, "texts that are numbers, and texts that are not", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
+  CU_add_test(suite, "title of a page", titles);
   CU_add_test(suite, "parts of names", parts_of_names);
   CU_add_test(suite, "spellings of words of other programs", spellings_of_other_programs);
   CU_add_test(suite, "hash of a page", hash);
