@@ -250,19 +250,19 @@ static void statements_of_another_page_have_the_line_of_start(void) {
   }
 }
 
-/* Two names are distinguished even if one is the beginning of the other. */
+/* Two names are distinguished even if one is the beginning of the other. A name may contain `_`. */
 static void monitors_whose_names_begin_alike(void) {
   struct words page = {0};
   struct written it;
   words_add(&page,
             "units none\nmaterial m density 1 kn 1\ndisc 1 0 radius 1 m\ndisc 4 0 radius 1 m\ndisc 7 0 radius 1 m\n"
-            "monitor AB disc 2\nmonitor A disc 1\nmonitor ABC disc 3\nrecord A.x AB.x ABC.x\nstep 0.01\n"
+            "monitor AB disc 2\nmonitor A disc 1\nmonitor A_B disc 3\nrecord A.x AB.x A_B.x\nstep 0.01\n"
             "stage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(written_now(model, "A.x"), 1);
   CU_ASSERT_EQUAL(written_now(model, "AB.x"), 4);
-  CU_ASSERT_EQUAL(written_now(model, "ABC.x"), 7);
+  CU_ASSERT_EQUAL(written_now(model, "A_B.x"), 7);
   nb_model_free(model);
   written_free(&it);
 }
