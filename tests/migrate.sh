@@ -86,6 +86,9 @@ print column('reference D.x max in fall/m')
 EOF
 sed -n '/^```gnuplot/,/^```$/p' "$work/a/b/old-expect.md" | diff "$work/wanted" - >"$work/said"
 result $? 'in a figure columns and variables change, other words stay'
+printf '```gnuplot\nprint known_M_strain_turn, M_strain_turn_1\n```\n' >"$work/one.md"
+"$nineball" migrate "$work/one.md" 2>"$work/said" | grep -qxF 'print reference_M_strain_rotation, M_strain_rotation_1'
+result $? 'the name of a variable has _ between its parts'
 
 printf '```scene\r\ndiscs lattice 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/one.md"
 printf '```scene\r\nlattice discs 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/wanted"
