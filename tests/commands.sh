@@ -1366,13 +1366,6 @@ echo 'rows.md:9: warning: table.tsv has 1000001 rows, most of them of stage `b`:
 result $? 'a table of a million rows in stages of equal length'
 awk '/ cycles, .* s$/ { t[++n] = $(NF - 1) } END { exit !(n == 2 && 2*t[2] < t[1]) }' out && cp out "$why"
 result $? 'the time of the second page does not count that of the first one'
-# The first page of a call takes some milliseconds, the trial of the rows above 0.1 s. Most of the time of 200 short runs is that of reading
-# the page, writing files, and start.
-sed "s/^let v = .*/sweep v $(seq -s ' ' 200)/; /^\`\`\`expect/,\$d" good.md >short.md
-for pages in good.md 'rows.md good.md' short.md; do "$nineball" explain $pages; done >"$why" 2>&1
-"$nineball" run short.md >>"$why" 2>&1
-awk '/ cycles, .* s$/ { t[++n] = $(NF - 1) } END { print t[1], t[2], t[3], t[n-1], t[n]; exit !(n == 205 && t[3] < 10*t[1] && t[n-1] < 10*t[n] && t[n] < 10*t[n-1]) }' "$why" >>"$why"
-result $? 'the expected time of a second page, and of many runs'
 
 # 2 runs of 150000 rows with 12 quantities of 8 bytes, with stage, cycle and time, need more than 32 MB, so a temporary file gets the rest.
 # The first run alone stays in memory. The file is in the output folder, or without one in $TMPDIR, or in /tmp if that is empty. The

@@ -738,25 +738,6 @@ sed 's/attempts 300000/attempts 1/' filled.md >one.md
 "$nineball" explain one.md 2>"$why" | grep -qx 'random fillings'
 result $? 'a page with one filling'
 
-# rest PAGE: the time in which `explain` expects all but the cycles, s.
-rest() { "$nineball" explain "$1.md" 2>>"$why" | sed -n 's/^  a cycle.* verdict \([0-9.e-]*\) s$/\1/p'; }
-# Writing a row takes the same time whether each cycle has one or every hundredth, and a million rows take most of the time. A busy machine
-# may count too much time, so the tolerance is a factor of 3.
-for every in 'every 1 cycles' 'every 100 cycles' none; do
-  printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor D disc 1\nstep 0.01\nrecord time D.x D.y D.vx D.vy\nstage a\nrecord %s\ncycles 1000000\n```\n' "$every" >rows.md
-  rest rows
-done >out
-cat out >"$why"
-awk '{ t[NR] = $1 } END { all = t[1] - t[3]; some = 100*(t[2] - t[3]); exit !(NR == 3 && all > 20*t[3] && all < 3*some && some < 3*all) }' out
-result $? 'the time of writing rows'
-# A snapshot of 10000 discs takes longer than the state from which it is written takes to read.
-printf '```scene\nunits none\nmaterial m density 1 kn 1\nlattice discs 100 by 100 radius 1 m spacing 2 from 0 0\nstep 0.01\nrecord time\nstage a\ncycles 1\nsnapshot\n```\n' >saves.md
-sed '/^snapshot/d' saves.md >less.md
-for page in saves less; do rest $page; done >out
-cat out >"$why"
-awk '{ t[NR] = $1 } END { exit !(NR == 2 && t[1] > 1.5*t[2]) }' out
-result $? 'the time of writing a snapshot'
-
 # The passes run in the loops and the threads that the options name. A machine may lack the wider loops.
 printf '```scene\nunits none\nmaterial m density 1 kn 1\nlattice discs 40 by 40 radius 1 m spacing 1.99 from 0 0\nstep 0.1\nrecord time\nstage a\ncycles 1\n```\n' >wide.md
 for option in 'isa plain' 'isa avx2' 'isa avx512' 'threads 1' 'threads 2' 'threads 3'; do
