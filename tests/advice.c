@@ -127,10 +127,8 @@ static void variants_near_and_far(void) {
 static void a_variant_that_differs_in_one_run(void) {
   for (int last = 0; last < 2; last++) {
     struct asked it;
-    ask(&it, "scene",
-        last ? FLIGHT("sweep u 2 1\nlet w = 1\ntrade w 1.5\ntrade laws none\n", "(1 + (w - 1)*(2 - u))")
-             : FLIGHT("sweep u 1 2\nlet w = 1\ntrade w 1.5\ntrade laws none\n", "(1 + (w - 1)*(2 - u))"),
-        "D.vx", "1 %", NULL);
+#define ONE_RUN(values) FLIGHT("sweep u " values "\nlet w = 1\ntrade w 1.5\ntrade laws none\n", "(1 + (w - 1)*(2 - u))")
+    ask(&it, "scene", last ? ONE_RUN("2 1") : ONE_RUN("1 2"), "D.vx", "1 %", NULL);
     CU_ASSERT_EQUAL_FATAL(it.status, NB_OK);
     CU_ASSERT_EQUAL_FATAL(it.advice.variant_count, 2);
     CU_ASSERT_STRING_EQUAL(it.advice.variants[1].reason,
@@ -248,10 +246,10 @@ static void updates_are_the_mean_over_the_trials(void) {
   finish(&it);
 }
 
-/* Three runs of 8, 24 and 16 cycles, with the steps 0.01, 0.03 and 0.02, of two discs in contact. A cycle has three updates,
- * of two particles and of a contact, and the start of a run one of the contact. Each run records its start and its end,
- * in two columns. The ratio of the step to
- * the stable step is dt (k/(2 m))^(1/2), and the second run has the largest one. */
+/* Three runs of 8, 24 and 16 cycles, with the steps 0.01, 0.03 and 0.02, of two discs in contact. A cycle has three
+ * updates, of two particles and of a contact, and the start of a run one of the contact. Each run records its start and
+ * its end, in two columns. The ratio of the step to the stable step is dt (k/(2 m))^(1/2), and the second run has the
+ * largest one. */
 static void the_cost_of_all_runs(void) {
   struct asked it;
   ask(&it, "scene",
@@ -267,8 +265,9 @@ static void the_cost_of_all_runs(void) {
   finish(&it);
 }
 
-/* Messages about calls, pages and values: 51 particles of a single run, but not of a mean; a value with an uncertainty of 3 times its
- * step, 0.016*2/4096, in the second run, for the tolerance 1e-6; a name of realizations that is nearly that of the page. */
+/* Messages about calls, pages and values: 51 particles of a single run, but not of a mean; a value with an uncertainty of
+ * 3 times its step, 0.016*2/4096, in the second run, for the tolerance 1e-6; a name of realizations that is nearly that
+ * of the page. */
 static void whole_messages(void) {
 #define MANY                                                                                                           \
   "let seed = 1\nlet v = seed\nmaterial m density 1 kn 1\nlattice discs 51 by 1 from 1 1 radius 1 spacing 2 m\n"       \
@@ -279,10 +278,8 @@ static void whole_messages(void) {
   } rows[] = {
       {MANY, "time", "1 %", NULL,
        "expected a page of at most 50 particles, found 51: the motion of many particles is chaotic, so the results of "
-       "one "
-       "run have no limit for a step towards zero. A mean over realizations has such a limit: name the seed of the "
-       "random "
-       "packing, `let seed = 1` and `seed $seed`, and add `--over seed`",
+       "one run have no limit for a step towards zero. A mean over realizations has such a limit: name the seed of "
+       "the random packing, `let seed = 1` and `seed $seed`, and add `--over seed`",
        NB_BAD_USE},
       {MANY, "time", "1 %", "seed", "", NB_OK},
       {MANY, "time", "1 %", "sed",
@@ -299,10 +296,8 @@ static void whole_messages(void) {
        "the page has a value named `refine`, which hides --set refine=R: rename this value", NB_BAD_USE},
       {STEPS("trade laws none\nsweep e 1 2 1.5\n", "64"), "step", "1e-6", NULL,
        "`step within 1e-6`: the value is not known well enough: with the step divided by 4096 its uncertainty is 23 "
-       "times "
-       "the tolerance, in run e=2. Choose a larger tolerance, an absolute tolerance if the value is near 0, or a "
-       "larger "
-       "--budget",
+       "times the tolerance, in run e=2. Choose a larger tolerance, an absolute tolerance if the value is near 0, or "
+       "a larger --budget",
        NB_FAILED},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {

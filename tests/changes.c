@@ -72,6 +72,24 @@ static void gravity_acts_away_from_a_point(void) {
                   after(AT_REST "ramp gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"));
 }
 
+/* The message has the points in metres, whatever their units on the page. */
+static void the_points_of_central_gravity_in_metres(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {0};
+  words_add(&page, "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 3 m m\nstep 1 s\nrecord time\nstage a\n"
+                   "gravity centripetal 2 m/s2 about 0.5 m -8 mm\ncycles 1\nstage b\n"
+                   "gravity centripetal 1 m/s2 about 0.5 m 7 m\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BAD_USE);
+  CU_ASSERT_STRING_EQUAL(error.text,
+                         "line 10: the point of central gravity moves from (0.5, -0.008) to (0.5, 7) m. Expected the "
+                         "same point, or a stage in between with `gravity` and two zeros");
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* A stage cannot move the point of central gravity, because the change of the velocities at the beginning of the stage
  * would need the directions to both points. After a stage with zero gravity, a stage can give another point. */
 static void the_point_of_central_gravity_stays(void) {
@@ -82,19 +100,6 @@ static void the_point_of_central_gravity_stays(void) {
   } of[] = {{"", "0 -8", true},     {"", "8 8", true},
             {"", "0 8", false},     {"stage b\ngravity 0 0\ncycles 1\n", "0 -8", false},
             {"ramp ", "1 8", true}, {"ramp ", "0 8", false}};
-  struct words metres = {0};
-  struct written other;
-  struct nb_result none;
-  struct nb_error moves = {0};
-  words_add(&metres, "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 3 m m\nstep 1 s\nrecord time\nstage a\n"
-                     "gravity centripetal 2 m/s2 about 0.5 m -8 mm\ncycles 1\nstage b\n"
-                     "gravity centripetal 1 m/s2 about 0.5 m 7 m\ncycles 1\n");
-  written_scene(&other, &metres);
-  CU_ASSERT_EQUAL(nb_run(&none, &other.scene, NULL, NULL, &moves), NB_BAD_USE);
-  CU_ASSERT_STRING_EQUAL(moves.text,
-                         "line 10: the point of central gravity moves from (0.5, -0.008) to (0.5, 7) m. Expected the "
-                         "same point, or a stage in between with `gravity` and two zeros");
-  nb_result_free(&none), written_free(&other);
   for (size_t n = 0; n < sizeof of / sizeof *of; n++) {
     const bool ramp = strcmp(of[n].between, "ramp ") == 0;
     struct words page = {0};
@@ -534,6 +539,7 @@ void suite_changes(void) {
   CU_ADD_TEST(suite, the_first_kick_has_the_mean_gravity);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
   CU_add_test(suite, "gravity acts away from a point", gravity_acts_away_from_a_point);
+  CU_ADD_TEST(suite, the_points_of_central_gravity_in_metres);
   CU_add_test(suite, "the point of central gravity stays", the_point_of_central_gravity_stays);
   CU_add_test(suite, "gravity ramps", gravity_ramps);
   CU_add_test(suite, "a ramp of gravity ends exactly", a_ramp_ends_exactly);

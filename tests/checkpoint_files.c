@@ -208,6 +208,7 @@ static void a_page_that_has_changed(void) {
   static const char *const files[] = {"", " and the file with `.old` after its name", "",
                                       " and the file without `.old` at the end of its name"};
   save(&it, path), save(&it, path);
+  static const int place_of[] = {0, 1, 2, 2, 2, 2, 1};
   for (int kind = 0; kind < 7; kind++)
     for (int k = 0; k < 4; k++) {
       unlink(path), unlink(old);
@@ -228,11 +229,7 @@ static void a_page_that_has_changed(void) {
           wanted, sizeof wanted,
           "the page has changed since %s was saved, %s: restore the text of the page, or remove this file%s and run "
           "the page without --resume",
-          k < 2 ? path : old,
-          places[kind < 2    ? kind
-                 : kind == 6 ? 1
-                             : 2],
-          files[k]);
+          k < 2 ? path : old, places[place_of[kind]], files[k]);
       CU_ASSERT_STRING_EQUAL(error.text, wanted);
       *a = first, *b = second;
       it.scene.columns[0].name[0] = 't'; /* `time` */

@@ -358,9 +358,9 @@ static void increments_of_the_normal_force(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\ncontact sphere 10 mm steel with sphere 30 mm "
-      "steel\n"
-      "normal hertz_increment\nrecord normal overlap\nsegment a overlap to 1 um in 200 steps\nrecord every 200 steps\n"
+      "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\n"
+      "contact sphere 10 mm steel with sphere 30 mm steel\nnormal hertz_increment\nrecord normal overlap\nsegment a "
+      "overlap to 1 um in 200 steps\nrecord every 200 steps\n"
       "segment b overlap to 0 um in 1 step\nsegment c overlap to 1 um in 200 steps\nrecord every 200 steps\n"
       "segment d normal by 5 N in 1 step\n");
   const double hertz = 4. / 3 * 210e9 / 0.91 / 2 * sqrt(7.5e-3 * 1e-18), first = cell(&result, 1, 0);
@@ -476,9 +476,9 @@ static void nothing_sticks(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      EXACT "record pieces radius.stick sliding traction.force\nsegment a normal to 60 N in 1 step\nsegment b slip by "
-            "1 mm in 1 "
-            "step\nsegment c slip by -1 mm in 1 step\nsegment d overlap to -1 um in 1 step\n");
+      EXACT "record pieces radius.stick sliding traction.force\nsegment a normal to 60 N in 1 step\n"
+            "segment b slip by 1 mm in 1 step\nsegment c slip by -1 mm in 1 step\nsegment d overlap to -1 um in 1 "
+            "step\n");
   static const double pieces[] = {0, 1, 1, 1, 0}, sliding[] = {0, 0, 1, -1, 0};
   for (size_t r = 0; r < 5; r++) {
     CU_ASSERT_EQUAL(cell(&result, r, 0), pieces[r]);
