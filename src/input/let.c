@@ -244,11 +244,12 @@ static void unify(struct nb_binding *values, size_t count, size_t columns) {
 static const char list_signs[] = ",;=[](){}";
 
 /* Appends a word of a list of values, and after a number the unit of all values. */
-static void append_value(char *hint, const char *word, const char *unit) {
+static void append_value(char *hint, const struct nb_reader *reader, const char *word, const char *unit) {
   struct nb_unit read;
   if (*unit && nb_unit_read(&read, word))
     return; /* it follows the number already */
-  nb_append(hint, NB_HINT_SIZE, " %s", word);
+  nb_append(hint, NB_HINT_SIZE, " ");
+  nb_append_operand(hint, reader, word);
   if (*unit && nb_number_length(word))
     nb_append(hint, NB_HINT_SIZE, " %s", unit);
 }
@@ -290,7 +291,7 @@ static const char *values_hint(char *hint, const struct nb_reader *reader) {
     for (const char *at = reader->tokens[k].text; *(at += strspn(at, list_signs)); at += strcspn(at, list_signs)) {
       snprintf(word, sizeof word, "%.*s", (int)strcspn(at, list_signs), at);
       if (k > 2 || strcmp(word, "in") != 0)
-        append_value(hint, word, unit);
+        append_value(hint, reader, word, unit);
     }
   nb_append(hint, NB_HINT_SIZE, "`");
   return hint;

@@ -408,6 +408,25 @@ static bool is_call(const char *text) {
   return text[length] && nb_name_reserved(name);
 }
 
+void nb_append_operand(char *hint, const struct nb_reader *reader, const char *text) {
+  char word[81], name[NB_NAME_SIZE];
+  struct nb_unit unit;
+  double value;
+  size_t length = strlen(text), letters = 0;
+  while (length && strchr(",;", text[length - 1]))
+    length--;
+  snprintf(word, sizeof word, "%.*s", (int)length, text);
+  const char *const at = word + strspn(word, "+-");
+  const size_t number = nb_number_length(at);
+  while (name_letter(at[letters]))
+    letters++;
+  snprintf(name, sizeof name, "%.*s", (int)letters, at);
+  const bool begins = number || nb_name_reserved(name) || NB_FIND(reader->bindings, reader->binding_count, name) >= 0;
+  const bool expression = begins && strpbrk(at + 1, "*/+^-(") && nb_number_read(&value, word, 0) == NB_NO_NUMBER &&
+                          !nb_unit_read(&unit, word) && !nb_unit_read(&unit, at + number); /* `1/s`, `2N/m` */
+  nb_append(hint, NB_HINT_SIZE, expression ? "(%s)" : "%s", word);
+}
+
 /* Writes the hint for an operator at token `at`, between numbers: `5 mm * 2`. False: a number is missing. */
 static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at) {
   const struct nb_token *const tokens = reader->tokens;
@@ -459,11 +478,15 @@ static void equals_hint(const struct nb_reader *reader, bool let, char *hint, co
   if (!reader->keyword && program_hint(hint, text, length))
     return;
   const bool start = let && strcmp(reader->tokens[0].text, "start") == 0;
-  snprintf(hint, NB_HINT_SIZE,
-           start ? "write `with %.*s=%.80s`"
-           : let ? "put spaces around `=`: `%.*s = %.80s`"
-                 : "write `%.*s %.80s`, without `=`",
-           length < 80 ? (int)length : 80, text, text + length + 1);
+  const int shown = length < 80 ? (int)length : 80;
+  if (let) {
+    snprintf(hint, NB_HINT_SIZE, start ? "write `with %.*s=%.80s`" : "put spaces around `=`: `%.*s = %.80s`", shown,
+             text, text + length + 1);
+    return;
+  }
+  snprintf(hint, NB_HINT_SIZE, "write `%.*s ", shown, text);
+  nb_append_operand(hint, reader, text + length + 1);
+  nb_append(hint, NB_HINT_SIZE, "`, without `=`");
 }
 
 /* Writes the hint for `kn=10`, `//` and arithmetic. */
@@ -522,7 +545,8 @@ static const char *compared_hint(char *hint, const struct nb_reader *reader) {
   bool within = false;
   snprintf(hint, NB_HINT_SIZE, "write `");
   for (size_t k = 0; k < reader->count && *tokens[k].text != '['; k++) {
-    nb_append(hint, NB_HINT_SIZE, "%s%.80s", k ? " " : "", k == reader->next ? "expected" : tokens[k].text);
+    nb_append(hint, NB_HINT_SIZE, "%s", k ? " " : "");
+    nb_append_operand(hint, reader, k == reader->next ? "expected" : tokens[k].text);
     within = within || strcmp(tokens[k].text, "within") == 0;
   }
   if (reader->next + 1 == reader->count)

@@ -157,6 +157,9 @@ void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint
 /* Returns the hint for syntax of another language or a word processor, which is a constant or is written to `hint`, a
  * text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
+/* Appends at most 80 bytes of a word of the line to a hint, without a comma at its end, and with parentheses around an
+ * expression: `0.2*2,` becomes `(0.2*2)`. */
+void nb_append_operand(char *hint, const struct nb_reader *reader, const char *text);
 /* Does the same as nb_expected, at a token that was read before. */
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
 /* Does the same as nb_expected_at for an unknown name. Marks the statement as bad without a message if the name is

@@ -997,8 +997,8 @@ static const char *value_hint(char *hint, const struct nb_reader *reader, const 
   snprintf(hint, NB_HINT_SIZE, "write `");
   for (size_t k = 0; k < reader->count && *reader->tokens[k].text != '['; k++) {
     within = within || strcmp(reader->tokens[k].text, "within") == 0;
-    nb_append(hint, NB_HINT_SIZE, "%s%s%.40s", k ? " " : "", k == reader->next ? "expected " : "",
-              reader->tokens[k].text);
+    nb_append(hint, NB_HINT_SIZE, "%s%s", k ? " " : "", k == reader->next ? "expected " : "");
+    nb_append_operand(hint, reader, reader->tokens[k].text);
   }
   nb_append(hint, NB_HINT_SIZE, "%s [SOURCE]`", within ? "" : " within 1 %");
   return nb_number_length(token->text) ? hint : NULL;
