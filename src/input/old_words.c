@@ -426,13 +426,15 @@ static const char *hint_of(char *hint, const struct nb_old_word *row, const char
   if (!row || (row->note && !*row->note))
     return NULL;
   text += strspn(text, " \t");
+  const size_t most = 160; /* a longer line is cut */
   size_t length = strcspn(text, "#");
   while (length > 0 && strchr(" \t\r", text[length - 1]))
     length--;
   if (row->note)
     snprintf(hint, NB_HINT_SIZE, "%s %s", row->note, migrate);
   else
-    snprintf(hint, NB_HINT_SIZE, "did you mean `%.*s`? %s", length < 160 ? (int)length : 160, text, migrate);
+    snprintf(hint, NB_HINT_SIZE, "did you mean `%.*s%s`? %s", (int)(length < most ? length : most), text,
+             length > most ? "…" : "", migrate);
   return hint;
 }
 
