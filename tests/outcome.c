@@ -886,23 +886,23 @@ static void tracked_columns(void) {
 
 /* A negative normal stress in an expectation, and a negative normal force, which no law gives, cause a warning with the
  * line of the expectation. Other quantities, other relations, fractions of a measure, and values of 0 or more cause
- * none. */
+ * none. The page has no units, so the proposed pressure has none. */
 static void warnings_of_tension(void) {
-  static const char stress[] = "with a negative value means tension", force[] = "`C.normal` is 0 or more with all laws";
+  static const char force[] = "`C.normal` is 0 or more with all laws";
   static const struct {
     const char *expectation, *wanted; /* NULL: no warning */
   } rows[] = {
-      {"R.stress.xx expected -1 within 9 [t]", stress},
-      {"R.stress.xx below -1", stress},
+      {"R.stress.xx expected -1 within 9 [t]", "for a pressure write `R.stress.xx expected 1`"},
+      {"R.stress.xx below -1", "for a pressure write `R.stress.xx above 1`"},
       {"R.stress.xx expected 1 within 9 [t]", NULL},
       {"R.stress.xx expected 0 within 9 [t]", NULL},
       {"R.stress.xx above -1", NULL},
       {"R.stress.xx expected -1 of R.stress.yy within 9 [t]", NULL},
       {"R.stress.xx below R.stress.yy", NULL},
-      {"R.stress.yy below -1", stress},
-      {"R.stress.mean expected -1 within 9 [t]", stress},
-      {"R.stress.major below -1", stress},
-      {"R.stress.minor below -1", stress},
+      {"R.stress.yy below -1", "for a pressure write `R.stress.yy above 1`"},
+      {"R.stress.mean expected -1 within 9 [t]", "for a pressure write `R.stress.mean expected 1`"},
+      {"R.stress.major below -1", "for a pressure write `R.stress.major above 1`"},
+      {"R.stress.minor below -1", "for a pressure write `R.stress.minor above 1`"},
       {"C.normal expected -1 within 9 [t]", force},
       {"C.normal below -1", force},
       {"C.normal above -1", force},

@@ -93,6 +93,16 @@ static void titles(void) {
     CU_ASSERT_STRING_EQUAL(read.page.title, rows[k][1]);
     done(&read);
   }
+  /* A title has room for 127 bytes. A longer one ends between two characters: `ü` has two bytes. */
+  for (int letters = 125; letters <= 128; letters++) {
+    char text[140], title[140];
+    memset(title, 'a', sizeof title);
+    snprintf(text, sizeof text, "# %.*sü\n", letters, title);
+    struct read read = read_bytes(text, strlen(text), 0, NULL);
+    snprintf(text, sizeof text, "%.*s%s", letters < 127 ? letters : 127, title, letters < 126 ? "ü" : "");
+    CU_ASSERT_STRING_EQUAL(read.page.title, text);
+    done(&read);
+  }
 }
 
 static void hash(void) { /* the test vectors of Fowler, Noll and Vo */

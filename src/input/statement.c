@@ -190,8 +190,6 @@ static const char *place_of(unsigned here) {
   switch (here) {
   case NB_IN_STAGE:
     return "a statement of a stage";
-  case NB_IN_EXPECT:
-    return "an expectation";
   case NB_IN_RAMP:
     return "a statement that can ramp";
   case NB_IN_CONTACT_TEST:
@@ -279,10 +277,7 @@ static const char *quantity_hint(char *hint, unsigned here, const char *word) {
 
 /* The name of a place in the table of words of other programs: `stage_duration` is the word `duration` in a stage. */
 static const char *place_name(unsigned here) {
-  return here & (NB_IN_STAGE | NB_IN_RAMP) ? "stage"
-         : here & (unsigned)CONTACT_TEST   ? "contact_test"
-         : here == NB_IN_EXPECT            ? "expect"
-                                           : "scene";
+  return here & (NB_IN_STAGE | NB_IN_RAMP) ? "stage" : here & (unsigned)CONTACT_TEST ? "contact_test" : "scene";
 }
 
 /* Suppresses messages that would follow from an unknown first word: about the statements of `meant` or, if that is
@@ -561,13 +556,12 @@ static const char *third_coordinate(char *hint, const struct nb_reader *reader, 
   return hint;
 }
 
-/* Writes the syntax of the statement, at the end of the line also an example; or, before a number, the word of the
- * clause that is missing. */
+/* Writes the syntax of the statement and an example; or, before a number, the word of the clause that is missing. */
 static void usage_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                        const struct nb_argument *missing) {
   char example[NB_HINT_SIZE];
   syntax_hint(hint, reader->keyword);
-  if ((!token || missing) && nb_example_hint(example, reader))
+  if (nb_example_hint(example, reader))
     nb_append(hint, NB_HINT_SIZE, ", %s", example);
   if (number_next(reader) && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
     snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
