@@ -1150,6 +1150,10 @@ static void messages_with_units(void) {
 
 static void each_warning_once(void) {
   struct nb_warnings warnings = {0};
+  nb_warn(&warnings, 3, "a: 1"), nb_warn(&warnings, 3, "b: 1"), nb_warn(&warnings, 3, "a: 2");
+  CU_ASSERT(warnings.count == 2 && strcmp(warnings.list[0].text, "a: 1") == 0);
+  CU_ASSERT(strcmp(warnings.list[1].text, "b: 1") == 0);
+  warnings.count = 0;
   for (int k = 0; k < 40; k++)
     nb_warn(&warnings, k / 2, "the %dth", k / 4);
   CU_ASSERT_EQUAL(warnings.count, NB_WARNINGS);

@@ -243,6 +243,9 @@ static void no_search_without_need(void) {
       searches_of("skin 8\ndisc 0 0 radius 1 m velocity 1 0\nwall w 9 9 to 9 -9 m", &candidates);
   CU_ASSERT_EQUAL(wide, 1);
   CU_ASSERT(searches_of("disc 0 0 radius 1 m\nwall w 9 9 to 9 -9 m spin 1", &candidates) > 100);
+  /* A disc or a wall that moves by 0.01 per cycle is beyond half of a skin of 0.07 in every fourth cycle. */
+  CU_ASSERT_EQUAL(searches_of("skin 0.07\ndisc 0 0 radius 1 m velocity 1 0\nwall w 9 9 to 9 -9 m", &candidates), 101);
+  CU_ASSERT_EQUAL(searches_of("skin 0.07\ndisc 0 0 radius 1 m\nwall w 9 9 to 9 -9 m velocity 1 0", &candidates), 101);
 }
 
 /* ---- the same bits ---- */

@@ -226,6 +226,28 @@ static void stages_that_end_otherwise(void) {
   }
 }
 
+/* `rebound` returns psi2 = psi1 - 4 chi from psi1 = 4 chi on, that of the springs below, and 0 for an impact along the
+ * normal. psi1 = V_T/(mu kappa V_N) with kappa = (2 - nu)/(2 - 2 nu). */
+static void psi2_of_the_reference_rebound(void) {
+  const double psi1[] = {0, 0.5, 2, 3.2 * chi30, 3.3 * chi30, 4.01 * chi30, 5 * chi30}, mu = 0.1, kappa = 1.7 / 1.4;
+  for (size_t k = 0; k < sizeof psi1 / sizeof *psi1; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page,
+              "units none\nmaterial a density 1 young 1e6 poisson 0.3 friction %g\nnormal hertz\n"
+              "shear mindlin_deresiewicz\nsphere 0 1 radius 1 a\nwall w -9 0 to 9 0 a\nmonitor C sphere 1 with wall w\n"
+              "impact C speed 0.5 angle %.17g\nstep 0.001\nrecord energy.kinetic\nstage s\ncycles 1\n",
+              mu, atan(psi1[k] * mu * kappa));
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("rebound", &scene);
+    const double wanted = psi1[k] >= 4 * chi30 ? psi1[k] - 4 * chi30 : k == 0 ? 0 : rebound(NULL, chi30, psi1[k], 2000);
+    CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "impact.psi2"), wanted, 1e-9);
+    solution_free(&solution), written_free(&it);
+  }
+}
+
 static void other_scenes_are_refused(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 1e9, 2, 40, 400);
@@ -245,5 +267,6 @@ void suite_refs_impact(void) {
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
   CU_ADD_TEST(suite, angle_of_incidence_with_spin);
   CU_ADD_TEST(suite, stages_that_end_otherwise);
+  CU_ADD_TEST(suite, psi2_of_the_reference_rebound);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

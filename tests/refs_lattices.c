@@ -325,6 +325,9 @@ static void lattice_waves(void) {
       {LATTICE("6", "6", "3 by 3 from 1 1 radius 1 spacing 2"), NEAREST},
       {LATTICE("5.997", "5.997", "3 by 3 from 1 1 radius 1 spacing 1.999"), NULL},
       {LATTICE("7.8", "(7.8*sqrt(0.75))", "4 by 4 hexagonal from 1 1 radius 1 spacing 1.95"), NULL},
+      {CELL_OF("7.8", "7.8", "1e9") "lattice discs 4 by 4 from 1 1 radius 1 spacing 1.95 a\n"
+                                    "perturb wave 1e-3 0 periods 2 1\nmonitor D disc 2\nstep 0.1\nstage s\ncycles 1\n",
+       NULL},
       {LATTICE("5.85", "5.8501", "3 by 3 from 1 1 radius 1 spacing 1.95"), NEAREST},
       {CELL_OF("5.85", "5.85", "1e9") EIGHT "disc 4.9 4.9 radius 1 a\nmonitor D disc 2\nstep 0.1\nstage s\ncycles 1\n",
        SINE});

@@ -150,6 +150,22 @@ static void contact_tests_round(void) {
   }
 }
 
+/* A shear force of 2 at a normal force of 1 and a friction of 1 ends the run. The message is written with rounding to
+ * nearest. */
+static void a_contact_test_that_fails_ends_the_rounding(void) {
+  struct written it;
+  struct words page = {0};
+  struct nb_result result;
+  struct nb_error error;
+  const struct nb_options options = options_of(NB_UPWARD, NULL, 1);
+  words_add(&page, "path\nunits none\nmaterial a kn 1 ks 1 friction 1\ncontact disc 1 a with disc 1 a\nnormal linear\n"
+                   "segment s normal to 1 in 1 steps\nsegment t shear to 2 hold normal in 1 steps\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, &options, NULL, &error), NB_BROKEN);
+  CU_ASSERT(fegetround() == FE_TONEAREST);
+  nb_result_free(&result), written_free(&it);
+}
+
 /* A saved state is made with rounding to nearest, whatever the mode of the run that needs it. */
 static void states_do_not_depend_on_the_mode(void) {
   struct written it;
@@ -257,6 +273,7 @@ void suite_rounding(void) {
   CU_ADD_TEST(suite, all_threads_round);
   CU_ADD_TEST(suite, parts_round_alone);
   CU_ADD_TEST(suite, contact_tests_round);
+  CU_ADD_TEST(suite, a_contact_test_that_fails_ends_the_rounding);
   CU_ADD_TEST(suite, states_do_not_depend_on_the_mode);
   CU_ADD_TEST(suite, bits_are_counted);
   CU_ADD_TEST(suite, bits_of_expectations);
