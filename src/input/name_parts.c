@@ -153,14 +153,13 @@ static void offer_owned(struct search *search, const struct nb_scene *scene, int
     offer(search, &fit, name, whole);
     found = true;
   }
-  fit.owner = false;
   if (!found)
     offer(search, &fit, name, NULL);
 }
 
-/* True if a newcomer may mean the quantity: no residual, and nothing of a boundary or a contact test that is not there. */
+/* True if a newcomer may mean the quantity: nothing of a boundary or a contact test that is not there. */
 static bool is_meant(const struct nb_quantity_row *row, const struct nb_scene *scene) {
-  return strcmp(row->of, "a contact test") != 0 && !strstr(row->name, "residual") &&
+  return strcmp(row->of, "a contact test") != 0 &&
          (scene->circle.line || strncmp(row->name, "boundary.", strlen("boundary.")) != 0);
 }
 
