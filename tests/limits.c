@@ -334,28 +334,6 @@ static void limits_of_damping(void) {
   READ(changes, SPHERES "sphere 0 2 radius 1 m\ndamping walls r89-fraction 1" RUN "stage b\n", "\ncycles 1\n");
 }
 
-/* ---- laws ---- */
-
-/* The scene and each stage have at most one normal and one shear law. A law that stores pieces keeps 2 to 256 of them. */
-static void laws(void) {
-  static const struct row rows[] = {
-      {"shear mindlin_deresiewicz memory 2|normal hertz", NULL},
-      {"shear mindlin_deresiewicz memory 256|normal hertz", NULL},
-      {"shear mindlin_deresiewicz memory 257|normal hertz", "from 2 to 256, found `257`"},
-      {"shear mindlin_deresiewicz 8|normal hertz", "expected `memory`, found `8`"},
-      {"normal hertz memory 8", "expected the end of the line, found `memory`"},
-      {"normal linear|normal hertz", "`normal` is given twice, first on line 4"},
-      {"shear linear|shear none", "`shear` is given twice, first on line 4"},
-  };
-  static const struct row changes[] = {
-      {"normal linear|shear linear", NULL},
-      {"normal linear|normal hertz", "`normal` is given twice, first on line 9"},
-      {"shear linear|shear none", "`shear` is given twice, first on line 9"},
-  };
-  READ(rows, SPHERES, "\nsphere 0 2 radius 1 m" RUN);
-  READ(changes, SPHERES "sphere 0 2 radius 1 m" RUN, "\n");
-}
-
 /* A pair has one statement in the scene, in either order. A stage changes each property of a material or pair once. */
 static void pairs(void) {
   static const struct row rows[] = {
@@ -434,7 +412,6 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, regions);
   CU_ADD_TEST(suite, files_of_points);
   CU_ADD_TEST(suite, limits_of_damping);
-  CU_ADD_TEST(suite, laws);
   CU_ADD_TEST(suite, pairs);
   CU_ADD_TEST(suite, stages);
   CU_ADD_TEST(suite, repeated_stages);

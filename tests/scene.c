@@ -203,7 +203,9 @@ static void statements_of_another_page_have_the_line_of_start(void) {
       "1",
       ("boundary circle 0 0 radius 9\nshear linear\ndamping mass 1\npair m m ks 1\nstage s\nboundary strain 0.1 0\n"
        "affine strain 0.1 0\nrotation off\ngravity 0 -1\ncycles 1"),
-      "box -9 -9 to 9 9 m\nstage s\nbox strain 0.1 0\nshear linear\nnormal linear\ncycles 1"};
+      "box -9 -9 to 9 9 m\nstage s\nbox strain 0.1 0\nshear linear\nnormal linear\ncycles 1",
+      ("normal hertz\ndamping walls ratio 0.1\ndamping critical beyond overlap 0.1\ndamping centred\n"
+       "stage s\ncycles 1")};
   for (size_t k = 0; k < sizeof more / sizeof *more; k++) {
     char path[] = "/tmp/nineball-scene-XXXXXX.md", text[1024];
     const int descriptor = mkstemps(path, 3);
@@ -211,7 +213,7 @@ static void statements_of_another_page_have_the_line_of_start(void) {
     FILE *file = fdopen(descriptor, "w");
     CU_ASSERT_PTR_NOT_NULL_FATAL(file);
     fprintf(file,
-            "\n\n```scene\nunits none\nmaterial m density 1 kn 1\ngrading g 1 9\ndisc 0 0 radius 1 m\nstep "
+            "\n\n```scene\nunits none\nmaterial m density 1 kn 1 young 1\ngrading g 1 9\nsphere 0 0 radius 1 m\nstep "
             "0.25\n%s\n%s```\n",
             more[k], k ? "" : "stage s\ncycles 1\n");
     fclose(file);
@@ -232,6 +234,10 @@ static void statements_of_another_page_have_the_line_of_start(void) {
                             {a->gravity.line, b->gravity.line},
                             {a->damping.contact_line, b->damping.contact_line},
                             {a->damping.global_line, b->damping.global_line},
+                            {a->damping.walls_line, b->damping.walls_line},
+                            {a->damping.deep_line, b->damping.deep_line},
+                            {a->damping.centred_line, b->damping.centred_line},
+                            {a->step.line, b->step.line},
                             {a->boundary.line, b->boundary.line},
                             {a->affine.line, b->affine.line},
                             {a->rotation_line, b->rotation_line},

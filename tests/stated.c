@@ -1056,6 +1056,8 @@ static void names_that_exist(void) {
   }
   static const char *const twice[] = {
       "gravity 0 1\ngravity 0 1",
+      "normal linear\nnormal linear",
+      "shear linear\nshear none",
       "rotation off\nrotation on",
       "affine none\naffine none",
       "cycles 1\ncycles 1",
@@ -1072,6 +1074,7 @@ static void names_that_exist(void) {
       "walls stop\nwalls inward 1",
       "servo mean 1 on box through box at most 1\nservo mean 1 on box through box at most 1"};
   static const char *const once[] = {"gravity 0 1",
+                                     "normal linear\nshear linear",
                                      "rotation off",
                                      "material m kn 1\nmaterial m ks 2",
                                      "material m kn 1\nmaterial n kn 1",
