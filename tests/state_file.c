@@ -141,6 +141,17 @@ static void every_mistake(void) {
       {"law shear mindlin 0", "law shear mindlin 257", "expected a whole number from 0 to 256, found `257`"},
       {"body 1", "members 1\nbody 1", "expected a record `body 1` above, found `1`"},
       {"\nfields ", "\nsetting ", "expected a record `fields` before the first contact"},
+      /* fields that are missing */
+      {"\nprogram ", "\nprogram\nsetting ",
+       "a.state:2:8: expected the version of the program, found the end of the line"},
+      {"\npage ", "\npage\nsetting ", "a.state:3:5: expected a text shorter than 64 bytes, found the end of the line"},
+      {"\nhash ", "\nhash\nsetting ", "a.state:4:5: expected 16 hexadecimal digits, found the end of the line"},
+      {"\nstage ", "\nstage\nsetting ", "a.state:6:6: expected the name of a stage, found the end of the line"},
+      {"units none", "\nunits none", "a.state:9:1: expected a record, found the end of the line"},
+      {"law normal ", "law normal\nsetting ", "a.state:11:11: expected the name of a law, found the end of the line"},
+      {"0x1.999999999999ap-3\n", "0x1p+0\n", "expected a number from 0 to 0.5, found `0x1p+0`"}, /* Poisson's ratio */
+      {"\nfields", "\nstore\nfields", "a.state:18:6: expected the name of a variable, found the end of the line"},
+      {"\nfields", "\nstore a 1 x\nfields", "a.state:18:11: expected a number, found `x`"},
   };
   static const struct mistake of_rings[] = {
       {"inward 0x1p+1 ", "inward ", "a.state:13:21: expected a number, found the end of the line"},
