@@ -139,7 +139,7 @@ static const char *quotient_hint(char *hint, const struct nb_reader *reader, con
   char one[2 * NB_NAME_SIZE], other[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;
   snprintf(one, sizeof one, "%.*s", (int)length, from);
-  if (!strchr("/,-+", from[length]) || !from[length] || !nb_quantity_find(&quantity, scene, one))
+  if (!from[length] || !nb_quantity_find(&quantity, scene, one))
     return NULL;
   snprintf(other, sizeof other, "%.*s", (int)strcspn(second, ")"), second);
   return dimensions_differ(scene, one, other) ? strcpy(hint, NB_OTHER_DIMENSION)
