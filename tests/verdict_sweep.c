@@ -231,6 +231,57 @@ static void points(void) {
   }
 }
 
+/* Messages have the unit of each value with a dimension. A ratio has none. */
+static void units_of_values(void) {
+  static const struct {
+    const char *sweeps, *expectation, *message;
+    double x[4];
+  } rows[] = {
+      {"", "report A.x", "computed 3 m", {3}},
+      {"", "A.x below A.y", "computed 3 m and 1 m", {3}},
+      {"", "A.x within 5 %", "computed 3 m, reference 0 m, error 3 m; a tolerance in % of 0 allows no error", {3}},
+      {"",
+       "energy.balance max below 1",
+       "computed -2.5 J and 1 J; but a residual has both signs: `min` is -2.5 J, check it too",
+       {-2.5}},
+      {"sweep v 1 2", "A.x decreases with v", "computed 1 m at v = 1, 2 m at 2", {1, 2}},
+      {"sweep v 1 2",
+       "A.x constant with v within 1",
+       "computed 1 m at v = 1, 2 m at 2, largest difference 1 m, tolerance 1 m",
+       {1, 2}},
+      {"sweep v 1 2",
+       "A.x order 1 in v within 0.5",
+       "computed order 1, expected 1, error 0, tolerance 0.5: errors 1 m at v = 1, 2 m at 2",
+       {1, 2}},
+      {"sweep v 1 2", /* the sample 1 and 2 has the standard deviation 2^(-1/2) */
+       "A.x expected 1 over v [t]",
+       "expected 1 m, within the range of 2 runs over v: 1 to 2, mean 1.5, standard deviation 0.71; percentile 25",
+       {1, 2}},
+      {"sweep v 1 2", /* A.y is 1 */
+       "A.x expected 1 of A.y over v [t]",
+       "expected 1, within the range of 2 runs over v: 1 to 2, mean 1.5, standard deviation 0.71; percentile 25",
+       {1, 2}},
+      {"sweep v 1 2\nsweep s 1 2",
+       "A.x increases with v over s",
+       "from 1 to 2: mean difference +1 m, 95 % confidence 1 to 1, mean 5.5",
+       {0, 10, 1, 11}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, rows[k].sweeps, rows[k].expectation);
+    planted_runs(&outcome, rows[k].x);
+    planted_solution(&outcome, "A.x", 0);
+    for (size_t r = 0; r < outcome.run_count; r++)
+      outcome.runs[r].scene.unitless = false;
+    nb_verdict(&outcome);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);
+    CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, rows[k].message);
+    if (strcmp(outcome.checks[0].message, rows[k].message) != 0)
+      printf("# %s: %s\n", rows[k].expectation, outcome.checks[0].message);
+    nb_outcome_free(&outcome);
+  }
+}
+
 void suite_verdict_sweep(void) {
   CU_pSuite suite = CU_add_suite("verdict_sweep", NULL, NULL);
   CU_add_test(suite, "increases and decreases: from each value to the next", trends);
@@ -238,4 +289,5 @@ void suite_verdict_sweep(void) {
   CU_add_test(suite, "order: both edges of the slope", orders);
   CU_add_test(suite, "other sweeps are checked separately", groups);
   CU_add_test(suite, "the points of a trend", points);
+  CU_add_test(suite, "the units of values in messages", units_of_values);
 }
