@@ -168,7 +168,10 @@ static void messages_about_states(void) {
   struct nb_scene before = {.impact.line = 0}; /* the page from which this page starts */
   it.scene.start.scene = &before;
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
-  before.impact.line = 1;
+  struct nb_scene first = {.impact.line = 1}; /* the page from which that one starts */
+  before.start.scene = &first;
+  refused(&saved, &it, "a: expected the state of a page with `impact`, found one without");
+  before.start.scene = NULL, before.impact.line = 1;
   refused(&saved, &it, "a: expected the state of a page with `impact`, found one without");
   it.scene.start.scene = NULL;
   nb_saved_free(&saved);
