@@ -605,7 +605,8 @@ static const struct {
      "record time D.angle D.spin energy.kinetic\n"
      "stage a\nshear mindlin_deresiewicz memory 5\nmaterial m friction 0.35\npair n n friction 0.15\ncycles 10\nstage "
      "a-on\nstep 0.0008\ncycles 10\n"
-     "stage b\nshear mindlin_deresiewicz memory 3\nremove sphere 4\nramp gravity 2 -2\nramp wall w velocity 0.3 -0.1\n"
+     "stage b\nshear mindlin_deresiewicz memory 3\nremove sphere 4\nremove wall v\nramp gravity 2 -2\nramp wall w "
+     "velocity 0.3 -0.1\n"
      "cycles 20\nstage b-on\nstep 0.001\ncycles 10\nstage c\nshear mindlin_scaled\nnormal hertz_increment\ncycles 10\n"
      "stage c-on\nstep 0.0008\ncycles 10\n"},
     {"an impact", "units none\nmaterial m density 3 young 5000 poisson 0.2\nnormal hertz\nwall w -5 0 to 5 0 m\n"
