@@ -240,7 +240,6 @@ struct nb_model {
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model only; the scene has its own */
   double impact_time;             /* time at which the particle of `impact` touches, s (measure/impact.c) */
-  const char *states;             /* folder of saved states; NULL: the default (run/restart.c) */
 };
 
 /* machine.c: instruction set and threads, from the options */

@@ -180,7 +180,6 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
   model->stability->allow_unstable = scene->allow_unstable || scene->stages[0].allow_unstable;
   model->rotates = true;
   model->plan.keep_all = options && options->keep_all;
-  model->states = options ? options->states : NULL;
   model->laws = model->next_laws = nb_laws_initial(scene);
 }
 
