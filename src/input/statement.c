@@ -612,7 +612,6 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
   usage_hint(reader, hint, token, missing);
   return flag_hint(hint, reader, token) || servo_hint(hint, reader, token, &guess) ||
          part_hint(hint, reader, token, missing, &guess) ||
-         (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
@@ -634,7 +633,7 @@ static void list_clauses(const struct nb_reader *reader, char *list, size_t size
 
 static bool is_clause_word(const struct nb_reader *reader, const char *word) {
   const struct nb_argument *field = reader->keyword->arguments;
-  while (field->count && !(field->word && nb_begins_clause(field, word)))
+  while (field->count && !nb_begins_clause(field, word))
     field++;
   return field->count;
 }
