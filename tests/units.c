@@ -110,6 +110,22 @@ static void written(void) {
   }
 }
 
+/* The length of the number at the beginning of a text, and that of the unit before the last operator of a word. */
+static void lengths(void) {
+  static const struct {
+    const char *text;
+    size_t length;
+  } numbers[] = {{"12", 2},    {"1.5m", 3}, {".5", 2},  {"1.", 2},   {"1e5", 3},   {"1E+5x", 4},
+                 {"1.e-5", 5}, {"1e", 1},   {"1e+", 1}, {".5e-", 2}, {"1.5.2", 3}, {"1f5", 1},
+                 {"", 0},      {".", 0},    {".e5", 0}, {"-1", 0},   {"e5", 0},    {" 1", 0}},
+    operators[] = {{"m/2", 1},    {"m*2", 1}, {"m+2", 1}, {"m-2", 1}, {"m^2", 1}, {"kg/m3/2", 5}, {"N/m/(2/3)", 3},
+                   {"mm+m-2", 2}, {"m/", 0},  {"x/2", 0}, {"/2", 0},  {"m2", 0},  {"m(s/2)", 0},  {"m,2", 0}};
+  for (size_t i = 0; i < COUNT(numbers); i++)
+    CU_ASSERT_EQUAL(nb_number_length(numbers[i].text), numbers[i].length);
+  for (size_t i = 0; i < COUNT(operators); i++)
+    CU_ASSERT_EQUAL(nb_unit_before_operator(operators[i].text), operators[i].length);
+}
+
 /* Units of other systems, from their definitions: the inch, the foot, the pound (kg), the standard acceleration and
  * the standard atmosphere are exact by international agreement. The unit `lb` means the force of a pound. */
 #define INCH 0.0254
@@ -214,5 +230,6 @@ void suite_units(void) {
   CU_add_test(suite, "numbers that are too large or too small", too_large_or_too_small);
   CU_add_test(suite, "the units in messages exist, and have one dimension", kinds);
   CU_add_test(suite, "dimensions in words", written);
+  CU_add_test(suite, "lengths of numbers, and of units before an operator", lengths);
   CU_add_test(suite, "units of other systems", foreign);
 }
