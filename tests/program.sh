@@ -949,6 +949,7 @@ out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
 run 0 explain short.md
 out '  last, does not end: the condition on line 21 does not hold within 33 cycles'
+out '  55 to 64 cycles, ' # it counts with its 33 cycles
 # The condition is also tested in the last cycle of a stage, even if this cycle is no multiple of N in `every N cycles`.
 for row in '1.4 3 8=6' '1.9 3 8=8' '1.4 10 8=8' '1.4 8 8=8' '0.9 4 9=4' '2.1 3 9=9'; do
   set -- ${row%=*}
@@ -1013,6 +1014,9 @@ sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
 run 0 run fixed.md
 out '  21 cycles, '
 grep -q '; expected' out && echo 'a fixed number of cycles is compared' >>why
+sed '/^stage fall/,/^until cycle/d; /^stage last/,/^until/d' clock.md >state.md # no condition reads the clock
+run 0 run state.md
+out ' s; expected 1 to 10 cycles'
 # Pages of one cycle: the contact updates at the start of a run belong to no cycle.
 for page in 6-lattices/lattice-stress 4-oblique/traction; do
   run 0 explain "$cases/$page.md"

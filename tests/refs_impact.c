@@ -213,6 +213,27 @@ static void angle_of_incidence_with_spin(void) {
   }
 }
 
+/* The impulse J against the velocity vx + R w of the point of contact changes psi by 7/2 J/(m mu kappa V_N), and by J/m
+ * and 5/2 J/(m R) the velocities vx = sin 0.4 and w, also if the point of contact moves against the centre. Here R = 1,
+ * V_N = cos 0.4, m = 4 pi/3 and kappa = 1.72/1.44. Before the impact there is no shear force. */
+static void velocities_with_spin(void) {
+  static const double spins[] = {-3, -0.1, 0.1, 3};
+  const double vx = sin(0.4), vn = cos(0.4), mass = 4. / 3 * acos(-1);
+  for (size_t k = 0; k < sizeof spins / sizeof *spins; k++) {
+    struct nb_solution solution = impact_on_wall(spins[k], "cycles 40");
+    const double change = refs_value(&solution, "impact.psi1") - refs_value(&solution, "impact.psi2");
+    const double by = copysign(change * 0.2 * (1.72 / 1.44) * vn / 3.5, vx + spins[k]);
+    const double spin = spins[k] - 2.5 * by;
+    NEAR(refs_value(&solution, "impact.restitution"), hypot(vn, vx - by), 1e-12);
+    NEAR(refs_value(&solution, "impact.energy.tangential"), mass * (vx - by) * (vx - by) / 2, 1e-9);
+    NEAR(refs_value(&solution, "impact.energy.rotational"), 0.4 * mass * spin * spin / 2, 1e-3);
+    const struct nb_solution_curve *shear = solution_find_curve(&solution, "impact.shear", "impact.time");
+    CU_ASSERT_FATAL(shear != NULL);
+    CU_ASSERT(shear->at(shear->data, -0.5) == 0 && shear->at(shear->data, 0.5) != 0);
+    solution_free(&solution);
+  }
+}
+
 /* A stage has values if it ends at a time, a force or the sliding of the impact. It is not known when others end. */
 static void stages_that_end_otherwise(void) {
   static const char *const conditions[] = {"impact.time above 0.3", "impact.shear above 0.3", "impact.normal above 0.3",
@@ -266,6 +287,7 @@ void suite_refs_impact(void) {
   CU_ADD_TEST(suite, sliding_of_the_linear_law);
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
   CU_ADD_TEST(suite, angle_of_incidence_with_spin);
+  CU_ADD_TEST(suite, velocities_with_spin);
   CU_ADD_TEST(suite, stages_that_end_otherwise);
   CU_ADD_TEST(suite, psi2_of_the_reference_rebound);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);

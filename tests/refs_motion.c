@@ -659,15 +659,16 @@ static void wall_end(void) {
 #define TOWARD "a particle that moves toward the end of the wall"
 #define BESIDE "a particle that touches the end only, not the wall beside it"
   static const struct part parts[] = {
-      {HITS("13", "1.99", "-0.01", "0"), NULL},   {HITS("13", "2.01", "-0.01", "0"), TOWARD},
-      {HITS("13", "-1.99", "-0.01", "0"), NULL},  {HITS("13", "-2.01", "-0.01", "0"), TOWARD},
-      {HITS("13", "0", "0.01", "0"), TOWARD},     {HITS("12.01", "0", "-0.01", "0"), NULL},
-      {HITS("11.99", "0", "-0.01", "0"), TOWARD}, {HITS("-2.01", "0", "0.01", "0"), NULL},
-      {HITS("-1.99", "0", "0.01", "0"), TOWARD},  {HITS("10.01", "4", "0", "-0.001"), NULL},
-      {HITS("9.99", "4", "0", "-0.001"), BESIDE}, {HITS("-0.01", "-4", "0", "0.001"), NULL},
-      {HITS("0.01", "-4", "0", "0.001"), BESIDE}, {HITS("10.1", "2.5", "0", "-2"), NULL},
-      {HITS("10.5", "4", "-1", "-4"), BESIDE},    {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
-      {HITS("9.5", "4", "0.01", "-0.02"), NULL},  {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL}};
+      {HITS("13", "1.99", "-0.01", "0"), NULL},    {HITS("13", "2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "-1.99", "-0.01", "0"), NULL},   {HITS("13", "-2.01", "-0.01", "0"), TOWARD},
+      {HITS("13", "0", "0.01", "0"), TOWARD},      {HITS("12.01", "0", "-0.01", "0"), NULL},
+      {HITS("11.99", "0", "-0.01", "0"), TOWARD},  {HITS("-2.01", "0", "0.01", "0"), NULL},
+      {HITS("-1.99", "0", "0.01", "0"), TOWARD},   {HITS("10.01", "4", "0", "-0.001"), NULL},
+      {HITS("9.99", "4", "0", "-0.001"), BESIDE},  {HITS("-0.01", "-4", "0", "0.001"), NULL},
+      {HITS("0.01", "-4", "0", "0.001"), BESIDE},  {HITS("10.1", "2.5", "0", "-2"), NULL},
+      {HITS("10.5", "4", "-1", "-4"), BESIDE},     {HITS("0.5", "4", "-0.01", "-0.02"), NULL},
+      {HITS("9.5", "4", "0.01", "-0.02"), NULL},   {HITS("2.5", "2.6", "-0.01", "-0.00236"), NULL},
+      {HITS("9.45", "2.1", "0.5", "-0.1"), BESIDE}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     refs_check_message("wall_end", parts[k].text, parts[k].message);
   refs_check_message("wall_end", HITS("13", "0", "-0.3", "0") "stage t\ncycles 1\n", NULL);
