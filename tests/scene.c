@@ -125,6 +125,13 @@ static void defaults(void) {
   done(&read);
 }
 
+/* The step may stand in the first stage, even if this is the only one. */
+static void a_step_in_the_first_stage(void) {
+  struct read read = read_scene(ROCK "disc 0 m 0 m radius 1 m rock\nstage go\nstep 1 us\ncycles 10\n");
+  CU_ASSERT(read.scene.stages[0].step.kind == NB_STEP_TIME && read.scene.stages[0].step.value == 1e-6);
+  done(&read);
+}
+
 static void stages(void) {
   struct read read = read_scene(
       ROCK "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\nlattice discs 2 by 1 radius 1 m rock\n"
@@ -155,6 +162,19 @@ static void stages(void) {
   CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* although C is defined later */
   CU_ASSERT(read.scene.columns[1].quantity.monitor == 0 && read.scene.monitors[0].b == 1);
   done(&read);
+}
+
+/* The number of runs follows from the sweeps, also from one that is indented or whose first word is a value. */
+static void runs_of_a_sweep(void) {
+  static const char *const sweeps[] = {"sweep v 1 2 3", "  sweep v 1 2 3", "\tsweep v 1 2 3",
+                                       "let word sweep\n$word v 1 2 3"};
+  for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++) {
+    char text[256];
+    snprintf(text, sizeof text, "%s\n" ROCK "disc 0 m 0 m radius 1 m rock\n" END, sweeps[k]);
+    struct read read = read_scene(text);
+    CU_ASSERT_EQUAL(read.scene.runs, 3);
+    done(&read);
+  }
 }
 
 /* The stages of the other page come first, and each stage of this page is added. An array of stages grows at 8, 16 and
@@ -361,6 +381,8 @@ void suite_scene(void) {
   CU_add_test(suite, "quantities of an impact, a cell and a box", quantities_of_objects);
   CU_add_test(suite, "statements that change the hash of a stage", hash_of_a_stage);
   CU_add_test(suite, "what stages set, and what they inherit", stages);
+  CU_ADD_TEST(suite, a_step_in_the_first_stage);
+  CU_ADD_TEST(suite, runs_of_a_sweep);
   CU_add_test(suite, "stages after those of another page", stages_after_those_of_another_page);
   CU_ADD_TEST(suite, statements_of_another_page_have_the_line_of_start);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
