@@ -203,10 +203,12 @@ static void nothing_to_reduce(void) {
   planted_page(&outcome, "", "A.y versus time within 9");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_curve(&outcome, 1, (double[]){1}), planted_curve(&outcome, 1, (double[]){1});
+  strcpy(outcome.runs[0].solution.curves[1].name, "A.vx");
+  strcpy(outcome.runs[0].solution.curves[1].along, "cycle");
   planted_is(&outcome, NB_FAIL);
   CU_ASSERT_STRING_EQUAL(
       outcome.checks[0].message,
-      "the reference returns no curve of `A.y` versus `time`, but `A.x versus time`, `A.x versus time`");
+      "the reference returns no curve of `A.y` versus `time`, but `A.x versus time`, `A.vx versus cycle`");
   nb_outcome_free(&outcome);
 }
 

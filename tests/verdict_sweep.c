@@ -102,6 +102,7 @@ static void orders(void) {
       {"sweep h 1 2 4", "A.x order -2 in h within 0.5", ERRORS(2), NB_FAIL,
        "; the error grows as `h` grows: write `A.x order 2 in h within 0.5`"},
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
+      {"sweep h 1 2 4", "A.x order 0 in h within 0.5", ERRORS(1), NB_FAIL, "; a contact that begins or ends between"},
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
       {"sweep h 3 1 2", "A.x order 1 in h within 1e-9", {6, 2, 4}, NB_PASS, ""},
       /* log2 of the errors is 0, 1, 4 at log2(h) = 0, 1, 2: the best line has the slope 2 and passes through none of
