@@ -478,7 +478,6 @@ static void read_history(struct stream *stream, bool shear) {
   struct nb_saved_history *it = !above ? NULL : shear ? &above->shear : &above->normal;
   const struct nb_law *law = nb_law_find(shear ? "shear" : "normal", shear ? saved->shear : saved->normal);
   if (!it || !law || it->count > 0) {
-    stream->taken = stream->line;
     expected(stream, "such a record once, below its contact");
     return;
   }
