@@ -195,7 +195,7 @@ static void words_that_are_units(void) {
 
 static void settings(void) {
   static const char text[] =
-      "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nshear none\n" ROCK
+      "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nlet s = 2\nshear none\n" ROCK
       "disc 0 m 0 m radius $R rock velocity $v $v\nstep 1 us\nstage go\ncycles $n\nstage on\nstep 2 us\ncycles 1\n";
   const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of single-contact", NULL};
   struct read read = read_scene(text, 1, some);
@@ -204,6 +204,7 @@ static void settings(void) {
   CU_ASSERT_EQUAL(read.scene.particles[0].vx, 7);
   CU_ASSERT_EQUAL(read.scene.particles[0].radius, 0.003); /* the last setting of a name is used */
   CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
+  CU_ASSERT_EQUAL(read.scene.bindings[3].value, 2); /* `step=` only begins like the name s */
   CU_ASSERT_FALSE(read.scene.bindings[0].swept);
   CU_ASSERT_STRING_EQUAL(read.scene.shear, "linear");
   CU_ASSERT(read.scene.stages[1].step.kind == NB_STEP_SINGLE_CONTACT && read.scene.stages[1].step.value == 0.1);
