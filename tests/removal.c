@@ -311,6 +311,25 @@ static void removed_at_time_0(void) {
   }
 }
 
+/* The thickness is the mean over the remaining particles: 1 for a disc, 4 for a sphere of radius 2, and 1 without any. */
+static void thickness_without_removed_particles(void) {
+  static const double wanted[] = {2.5, 1, 1};
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nsphere 9 0 radius 2 m\nstep 0.1\n"
+                   "stage a\ncycles 1\nstage b\nremove sphere 2\ncycles 1\nstage c\nremove disc 1\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  for (int s = 0; s < 3; s++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+    written_cycles(model, 1);
+    CU_ASSERT_EQUAL(nb_thickness(model), wanted[s]);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Without friction the spin of a disc does not change when its neighbour is removed. */
 static void spins_do_not_change(void) {
   for (int first = 0; first < 2; first++) {
@@ -478,6 +497,7 @@ void suite_removal(void) {
   CU_add_test(suite, "removal of a disc beside one of another radius changes no spin", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);
   CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);
+  CU_add_test(suite, "thickness without removed particles", thickness_without_removed_particles);
   CU_add_test(suite, "removal without friction changes no spin", spins_do_not_change);
   CU_add_test(suite, "steps count remaining particles", steps_count_remaining_particles);
   CU_add_test(suite, "collision prediction without removed particles", collision_prediction_without_removed_particles);
