@@ -158,8 +158,8 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
 
 /* Reports a line whose first words match some rows and whose next word matches none of them: `fill sphres`. Returns one
  * of these rows. Returns NULL, without a report, if no row of this place has the first word, or if the line probably
- * means `whole`, a row of another place. This is so if `whole` matches more words. It is also so if no row of this
- * place has a similar word and the line ends, or continues with a number; `cell shear` continues with a word. */
+ * means `whole`, a row of another place. This is so if `whole` matches more words. It is also so if the line ends, or
+ * continues with a number; `cell shear` continues with a word. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -177,7 +177,7 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
     list_word(list, sizeof list, " or ", word);
   }
   reader->next += most;
-  if (whole && !nb_guess_found(&guess) && (!token || number_next(reader))) {
+  if (whole && (!token || number_next(reader))) {
     reader->next -= most;
     return NULL;
   }
