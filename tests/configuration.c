@@ -141,14 +141,15 @@ static void since_the_start_or_the_first_stage(void) {
 static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
 static const int cycles = 25000, many = 5;
 
-/* Runs the sphere on the incline: the stage `all` with one cycle, `many` equal stages, and the stage `last` with one
- * cycle. */
+/* Runs two equal spheres on the incline, far apart: the stage `all` with one cycle, `many` equal stages, and the stage
+ * `last` with one cycle. */
 static void incline(struct nb_result *result, struct written *it, double friction) {
   const double mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
   struct words page = {0};
   words_add(&page,
             "units none\nmaterial m density 2600 kn 1e7 ks %g friction %g\nnormal linear\nshear linear\ngravity %g "
-            "%g\nsphere 0 %.17g radius 0.1 m\nwall w -1 0 to 9 0 m\nstep %g\nrecord time\n",
+            "%g\nlattice spheres 2 by 1 from 0 %.17g radius 0.1 spacing 3 m\nwall w -1 0 to 9 0 m\nstep %g\n"
+            "record time\n",
             ks, friction, p, -n, 0.1 - mass * n / 1e7, step);
   words_add(&page, "stage all\ncycles 1\nrecord none\n");
   for (int s = 0; s < many; s++)
@@ -172,6 +173,7 @@ static void slides(void) {
   const double slid = written_cell(&last->contacts, 0, "slid");
   CU_ASSERT(result.searches > 5);
   CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps at the final speed, 0.1 m/s */
+  NEAR(written_cell(&last->contacts, 1, "slid"), slid, 1e-6); /* the other sphere slides as far */
   /* the whole tangential displacement is that of the centre plus the radius times the rotation; the part of it that is
    * not sliding is the displacement of the spring, except for one step */
   const double slip = written_cell(&last->particles, 0, "moved_x") + 0.1 * written_cell(&last->particles, 0, "turned");

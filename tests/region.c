@@ -684,6 +684,57 @@ static void the_residual_finds_a_wrong_force(void) {
   done(&it, model);
 }
 
+/* The standard deviation of forces that are nearly equal has no cancellation: 1e9 - 1, 1e9 and 1e9 + 1. */
+static void a_small_deviation_of_large_forces(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\nlattice discs 4 by 1 m radius 1 spacing 1.9\n"
+                   "region A all\nrecord A.normal.mean A.normal.std\nstage a\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(model->contacts.count, 3);
+  for (int c = 0; c < 3; c++)
+    model->contacts.kept[NB_NORMAL][c] = 1e9 - 1 + c;
+  CLOSE(model, "A.normal.mean", 1e9);
+  CLOSE(model, "A.normal.std", sqrt(2. / 3));
+  done(&it, model);
+}
+
+/* `inside F` is a fraction of the mean distance of the boundary's particles from its centre. Here the mean is 5.5 and
+ * the radius of the circle 5, so the disc at the distance 2.6 is inside half of the mean, 2.75. The region exists as
+ * long as the boundary does, held or under a stress. */
+static void inside_a_fraction_of_the_mean_radius(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\ndisc 6 0 radius 0.5 m\ndisc 0 5 radius 0.5 m\n"
+                   "disc -6 0 radius 0.5 m\ndisc 0 -5 radius 0.5 m\ndisc 2.6 0 radius 0.5 m\ndisc -2.8 0 radius 0.5 m\n"
+                   "boundary circle 0 0 radius 5\nregion A inside 0.5\nrecord A.particles A.area\nstage a\ncycles 1\n"
+                   "stage b\nboundary stress 1 1\ncycles 1\nstage c\nboundary none\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  for (int stage = 0; stage < 3; stage++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[stage], &error), NB_OK);
+    CLOSE(model, "A.particles", stage < 2);
+    CLOSE(model, "A.area", stage < 2 ? pi * 2.75 * 2.75 : 0);
+  }
+  done(&it, model);
+}
+
+/* The area of `all` is that of the periodic cell now, not at the start: the cell of 10 by 10 grows by a quarter along x. */
+static void the_area_of_a_strained_cell(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.5\nperiodic cell 0 0 to 10 10\n"
+                   "disc 5 5 radius 1 m\nregion A all\nrecord A.area A.porosity\n"
+                   "stage s\ncell strain 0.5 0\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  NEAR(written_last(&result, "A.area"), 125, 1e-14);
+  NEAR(written_last(&result, "A.porosity"), 1 - pi / 125, 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
@@ -698,6 +749,9 @@ void suite_region(void) {
   CU_ADD_TEST(suite, regions_without_contacts);
   CU_ADD_TEST(suite, loads_of_a_contact);
   CU_ADD_TEST(suite, the_residual_finds_a_wrong_force);
+  CU_ADD_TEST(suite, a_small_deviation_of_large_forces);
+  CU_ADD_TEST(suite, inside_a_fraction_of_the_mean_radius);
+  CU_ADD_TEST(suite, the_area_of_a_strained_cell);
   CU_add_test(suite, "sin Phi in tension", tension);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);

@@ -478,6 +478,22 @@ static void scales_of_a_box(void) {
   }
 }
 
+/* B and T are 0 as long as the boundary has not begun, although the discs touch. */
+static void no_scales_before_the_boundary(void) {
+  struct words page = {0};
+  struct written it;
+  double b = 7, t = 7;
+  words_add(&page, "units none\nmaterial m density 2 kn 1000\nstep 0.001\nlattice discs 3 by 1 radius 1 spacing 1.9 m\n"
+                   "record cycle\nstage a\ncycles 1\nstage b\nboundary circle 0 0 radius 1\n"
+                   "servo isotropic 12 on boundary through boundary at most 1e-4 per cycle\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_FALSE(nb_servo_scales(model, &it.scene.stages[1].servo, &b, &t));
+  CU_ASSERT(b == 0 && t == 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* B of a boundary has no springs of walls: a wall that touches the disc in the middle changes neither B nor T, except that it moves the disc by 1e-8. */
 static void walls_do_not_stiffen_a_boundary(void) {
   double b[2], t[2];
@@ -642,6 +658,7 @@ void suite_servo(void) {
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
   CU_add_test(suite, "the added rate is updated every tenth cycle by default", every_tenth_cycle);
   CU_add_test(suite, "bulk stiffness B and time T of a box", scales_of_a_box);
+  CU_ADD_TEST(suite, no_scales_before_the_boundary);
   CU_ADD_TEST(suite, walls_do_not_stiffen_a_boundary);
   CU_ADD_TEST(suite, a_boundary_that_is_held_again);
   CU_add_test(suite, "soft springs give the same motion", soft_springs_give_the_same_motion);

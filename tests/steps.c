@@ -173,14 +173,20 @@ static void duration_of_collisions(void) {
   NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
                        "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of collision\n"),
        hertz(1, 0.1, 0.001, 0.001), 1e-14);
-  /* of the ends of a wall that is nearly parallel to the path, the one that is touched first counts: the distances of the
-   * path from the ends are 0.5 and 0.8 */
-  static const char *const nearly_parallel[] = {"0 0.5 to 9 0.8", "9 0.8 to 0 0.5"};
-  for (int k = 0; k < 2; k++) {
+  /* of the ends of a wall that is nearly parallel to the path, the one that is touched first counts, also if the other one
+   * would be hit faster: the distances of the path from the first end are 0.5 and 0.8 */
+  static const struct {
+    const char *wall;
+    double v; /* over the speed */
+  } nearly_parallel[] = {{"0 0.5 to 9 0.8", 0.866025403784438647},
+                         {"9 0.8 to 0 0.5", 0.866025403784438647},
+                         {"0 0.8 to 9 0.5", 0.6},
+                         {"9 0.5 to 0 0.8", 0.6}};
+  for (int k = 0; k < 4; k++) {
     char statements[500];
     snprintf(statements, sizeof statements,
-             SPHERES "sphere -20 0 radius 1 m velocity 0.2 0\nwall w %s r\nstep 1 of collision\n", nearly_parallel[k]);
-    NEAR(step_of(statements), hertz(1, 1, 1, 0.2 * sqrt(0.75)), 1e-14);
+             SPHERES "sphere -20 0 radius 1 m velocity 0.2 0\nwall w %s r\nstep 1 of collision\n", nearly_parallel[k].wall);
+    NEAR(step_of(statements), hertz(1, 1, 1, 0.2 * nearly_parallel[k].v), 1e-14);
   }
   /* a path at the distance of the radius does not touch, one that is nearer by a millionth does: v^2 = w^2 (1 - d^2) */
   NEAR(step_of(SPHERES "sphere -20 0 radius 1 m velocity 0.5 0\nwall w 0 1 to 0 9 r\nsphere -20 90 radius 1 m velocity "
@@ -409,8 +415,8 @@ static void an_overlap_of_rounding_is_none(void) {
     struct words page = {0};
     struct written it;
     struct nb_error error = {0};
-    words_add(&page, "%slattice spheres 2 by 1 radius 1 spacing %.17g m\nstep 0.1 of stable\nstage s\ncycles 1\n",
-              SPHERES, 2 - (overlaps ? 2e-9 : 0.5e-9));
+    words_add(&page, "%slattice spheres 2 by 1 radius 2 spacing %.17g m\nstep 0.1 of stable\nstage s\ncycles 1\n",
+              SPHERES, 4 - 2 * (overlaps ? 2e-9 : 0.75e-9));
     written_scene(&it, &page);
     struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
     CU_ASSERT_EQUAL(model != NULL, overlaps == 1);
