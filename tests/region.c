@@ -105,6 +105,7 @@ static void rattlers(void) {
                    "disc 50 0 radius 1 m fixed\n" /* 10 is fixed: no rattler, although it has no contact */
                    "region A all\nregion B box -2 -2 to 3 3\n"
                    "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
+                   "A.constraint_ratio B.constraint_ratio "
                    "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.particles", 10);
@@ -117,6 +118,8 @@ static void rattlers(void) {
   CLOSE(model, "B.coordination", 9 / 4.);
   CLOSE(model, "B.coordination.mechanical", 2);
   CLOSE(model, "B.rattlers", 0);
+  CLOSE(model, "A.constraint_ratio", (4 + 2) / (2 * 5.)); /* the loop and 9, which are free and no rattlers */
+  CLOSE(model, "B.constraint_ratio", 4 / (2 * 4.));
   done(&it, model);
 }
 
@@ -605,7 +608,8 @@ static void regions_without_contacts(void) {
   struct written it;
   struct nb_quantity_row row;
   words_add(&page, "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5\nshear linear\nstep 0.001\n"
-                   "disc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\ndisc 20 0 radius 1 m\nregion E circle 50 0 radius 2\n"
+                   "disc 0 0 radius 1 m fixed\ndisc 1.9 0 radius 1 m\ndisc 20 0 radius 1 m\n"
+                   "region E circle 50 0 radius 2\n"
                    "region L circle 20 0 radius 2\nregion I inside 0.5\n");
   for (size_t k = 0; nb_quantity_row(&row, k); k++)
     if (row.prefix && strcmp(row.prefix, "M.") == 0)
@@ -700,14 +704,15 @@ static void a_small_deviation_of_large_forces(void) {
 }
 
 /* `inside F` is a fraction of the mean distance of the boundary's particles from its centre. Here the mean is 5.5 and
- * the radius of the circle 5, so the disc at the distance 2.6 is inside half of the mean, 2.75. The region exists as
- * long as the boundary does, held or under a stress. */
+ * the radius of the circle 5, so the disc at the distance 2.6 is inside half of the mean, 2.75. A fixed disc is not part
+ * of the boundary. The region exists as long as the boundary does, held or under a stress. */
 static void inside_a_fraction_of_the_mean_radius(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
   words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\ndisc 6 0 radius 0.5 m\ndisc 0 5 radius 0.5 m\n"
                    "disc -6 0 radius 0.5 m\ndisc 0 -5 radius 0.5 m\ndisc 2.6 0 radius 0.5 m\ndisc -2.8 0 radius 0.5 m\n"
+                   "disc 9 0 radius 0.5 m fixed\n"
                    "boundary circle 0 0 radius 5\nregion A inside 0.5\nrecord A.particles A.area\nstage a\ncycles 1\n"
                    "stage b\nboundary stress 1 1\ncycles 1\nstage c\nboundary none\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
@@ -735,6 +740,21 @@ static void the_area_of_a_strained_cell(void) {
   written_free(&it);
 }
 
+/* `fabric.normal` has the elastic forces as weights, without dashpots: here two equal ones, 10 0.1. With its dashpot the
+ * first contact has the force 7. */
+static void the_fabric_without_dashpots(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\ndamping stiffness 0.01\nstep 0.001\ndisc 0 0 radius 1 m\n"
+                   "disc 1.9 0 radius 1 m\ndisc 0 1.9 radius 1 m\nregion A all\n"
+                   "record A.fabric.normal.xx A.stress.xx A.stress.yy\nstage a\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  model->contacts.kept[NB_TOTAL_NORMAL][0] = 7;
+  CLOSE(model, "A.fabric.normal.xx", 0.5);
+  NEAR(written_now(model, "A.stress.xx"), 7 * written_now(model, "A.stress.yy"), 1e-12);
+  done(&it, model);
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
@@ -752,6 +772,7 @@ void suite_region(void) {
   CU_ADD_TEST(suite, a_small_deviation_of_large_forces);
   CU_ADD_TEST(suite, inside_a_fraction_of_the_mean_radius);
   CU_ADD_TEST(suite, the_area_of_a_strained_cell);
+  CU_ADD_TEST(suite, the_fabric_without_dashpots);
   CU_add_test(suite, "sin Phi in tension", tension);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);

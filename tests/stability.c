@@ -529,19 +529,20 @@ static void what_limits_the_step_in_words(void) {
 
 /* The message about the step has the number and the line of a particle, whatever the order of storage is. */
 static void the_particle_of_the_message(void) {
-  for (int seen = 0; seen < 2; seen++) {
+  for (int light = 1; light <= 5; light++) {
     struct words page = {0};
     struct written it;
     struct nb_error error;
-    words_add(&page,
-              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius %d m\ndisc 9 0 radius 1 m\n"
-              "disc 29 0 radius %d m\nstep 90\nrecord time\nstage s\ncycles 1\n",
-              seen ? 3 : 1, seen ? 1 : 3);
+    char wanted[60];
+    words_add(&page, "units none\nmaterial m density 1 kn 1\n");
+    for (int k = 1; k <= 5; k++)
+      words_add(&page, "disc %d 0 radius %d m\n", 10 * k, k == light ? 1 : 3);
+    words_add(&page, "step 90\nrecord time\nstage s\ncycles 1\n");
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = true});
     CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_BROKEN);
-    const char *const words = seen ? "particle 2 (line 5): " : "particle 1 (line 4): ";
-    CU_ASSERT_EQUAL(strncmp(error.text, words, strlen(words)), 0);
+    snprintf(wanted, sizeof wanted, "particle %d (line %d): ", light, light + 3);
+    CU_ASSERT_EQUAL(strncmp(error.text, wanted, strlen(wanted)), 0);
     nb_model_free(model);
     written_free(&it);
   }
