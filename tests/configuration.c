@@ -172,7 +172,7 @@ static void slides(void) {
   const struct nb_snapshot *last = &result.snapshots[many];
   const double slid = written_cell(&last->contacts, 0, "slid");
   CU_ASSERT(result.searches > 5);
-  CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps at the final speed, 0.1 m/s */
+  CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way);              /* 3 steps at the final speed, 0.1 m/s */
   NEAR(written_cell(&last->contacts, 1, "slid"), slid, 1e-6); /* the other sphere slides as far */
   /* the whole tangential displacement is that of the centre plus the radius times the rotation; the part of it that is
    * not sliding is the displacement of the spring, except for one step */

@@ -185,7 +185,8 @@ static void duration_of_collisions(void) {
   for (int k = 0; k < 4; k++) {
     char statements[500];
     snprintf(statements, sizeof statements,
-             SPHERES "sphere -20 0 radius 1 m velocity 0.2 0\nwall w %s r\nstep 1 of collision\n", nearly_parallel[k].wall);
+             SPHERES "sphere -20 0 radius 1 m velocity 0.2 0\nwall w %s r\nstep 1 of collision\n",
+             nearly_parallel[k].wall);
     NEAR(step_of(statements), hertz(1, 1, 1, 0.2 * nearly_parallel[k].v), 1e-14);
   }
   /* a path at the distance of the radius does not touch, one that is nearer by a millionth does: v^2 = w^2 (1 - d^2) */
