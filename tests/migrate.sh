@@ -54,6 +54,18 @@ while IFS=$tab read -r kind old now; do
 done <"$work/rows" >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help OLDWORD names the new word'
+cat >"$work/wanted" <<'END'
+  `.voids` of version 0.3 is `.void_ratio` now
+  `unbalance` of version 0.3 is `unbalanced.max` now
+  `.unbalance` of version 0.3 is `.unbalanced.mean` now
+  `… servo stress xx` of version 0.3 is `… servo xx` now
+  `… servo stress yy` of version 0.3 is `… servo yy` now
+  `… servo stress xy` of version 0.3 is `… servo xy` now
+  `… same over` of version 0.3 is `… constant with` now
+  `… order P over` of version 0.3 is `… order P in` now
+END
+for word in W.voids unbalance stress over discs; do "$nineball" --help $word; done 2>&1 | grep 'version 0.3' | diff "$work/wanted" - >"$work/said"
+result $? 'with the name of an owner, in all its rows, and not for a word that is still in use'
 
 # Every line that changes.
 cat >"$work/wanted" <<EOF
