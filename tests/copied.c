@@ -162,6 +162,20 @@ static void its_stages_are_those_of_the_other_page(void) {
   written_free(&it);
 }
 
+/* `refine` divides the steps of this page only, those that it has taken over and its own. */
+static void refine_is_of_this_page(void) {
+  static const char *const refine[] = {"refine=2", NULL};
+  static const char *const starts[] = {ONE,
+                                       "start %s stage t\nrecord time\nstage one\nstep 0.2 of collision\ncycles 2\n"};
+  for (int k = 0; k < 2; k++) {
+    struct written it;
+    read_both(&it, first, starts[k], "", refine);
+    CU_ASSERT(it.scene.stages[1].step.value == 0.2 && it.scene.stages[1].cycles == 3);
+    CU_ASSERT(it.scene.stages[2].step.value == 0.1 && it.scene.stages[2].cycles == 4);
+    written_free(&it);
+  }
+}
+
 /* Laws and steps that --set gives apply to the stages of this page only. */
 static void settings_are_of_this_page(void) {
   static const char *const normal[] = {"normal=hertz", "shear=none", "step=0.05", NULL};
@@ -321,6 +335,7 @@ void suite_copied(void) {
   CU_ADD_TEST(suite, the_scene_has_that_of_the_other_page);
   CU_ADD_TEST(suite, its_stages_are_those_of_the_other_page);
   CU_ADD_TEST(suite, settings_are_of_this_page);
+  CU_ADD_TEST(suite, refine_is_of_this_page);
   CU_ADD_TEST(suite, memory_of_the_shear_law);
   CU_ADD_TEST(suite, values_of_the_other_page);
   CU_ADD_TEST(suite, hash_of_the_statements);

@@ -366,6 +366,8 @@ static void stages(void) {
       {"repeat from a 1 more times", NULL},
       {"repeat from a 2 more times", NULL},
       {"repeat from a 0 more times", "from 1 to"},
+      {"step 2e-3|repeat from a 1 more time", NULL},
+      {"damping mass 1|repeat from a 1 more time", NULL},
       {"repeat from", "expected the name of a stage, found the end"},
       {"repeat from b 2 more times", "expected the name of a stage above, found `b`"},
       {"repeat from a 2 more times|repeat from a 1 more time", "expected a stage below the `repeat`"},

@@ -308,7 +308,7 @@ static void check_held(struct nb_scene_reading *reading, size_t s) {
                : stage->boundary.line || stage->circle.line                         ? 0
                                                                                     : released;
   }
-  if (servo->line && !servo->cell && !servo->box && released)
+  if (servo->line && !servo->box && released) /* a scene with a cell has no boundary */
     nb_line_mistake(
         &reading->reader, (size_t)servo->line,
         scene->stages[s].boundary.line ? "a stage has either a stress on the boundary or a servo"
