@@ -276,20 +276,22 @@ static void a_contact_may_become_deep(void) {
   }
 }
 
-/* In a pair of a fixed and a free particle, the free one gets all of L (measure/stability.c). */
+/* In a pair of a fixed and a free particle, the free one gets all of L (measure/stability.c). Each pair has its own
+ * material. */
 static void a_fixed_particle(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
-  words_add(&page,
-            SPHERE "shear none\nsphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nstep 2.4\nrecord step.stable\n"
-                   "stage s\ncycles 1\n");
+  words_add(&page, SPHERE "material n density 0.238732414637843 young 2 poisson 0.3\nshear none\n"
+                          "sphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nsphere 9 0 radius 1 n fixed\n"
+                          "sphere 10.9999 0 radius 1 n\nstep 2.4\nrecord step.stable\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   const double stiffness = 4 / (2.4 * 2.4), young = 1 / (2 * 0.91);
   const double expected = stiffness * stiffness / (4 * young * young * 0.5);
   CU_ASSERT(fabs(overlap_stable(model, 0) - expected) < 1e-9 * expected);
+  NEAR(overlap_stable(model, 1), expected / 4, 1e-9); /* twice as stiff */
   nb_model_free(model);
   written_free(&it);
 }
