@@ -734,7 +734,7 @@ static void the_area_of_a_strained_cell(void) {
                    "stage s\ncell strain 0.5 0\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  NEAR(written_last(&result, "A.area"), 125, 1e-14);
+  NEAR(written_last(&result, "A.area"), 125.0, 1e-14);
   NEAR(written_last(&result, "A.porosity"), 1 - pi / 125, 1e-14);
   nb_result_free(&result);
   written_free(&it);
