@@ -514,6 +514,12 @@ static void a_spin_ramps(void) {
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp walls stop\ncycles 8\n", "W.angle"), 0.5 + 0.5);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nwalls stop\ncycles 8\n", "W.angle"), 0.5);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nwalls stop\ncycles 8\n", "W.y"), -2);
+  /* The ramp begins with the spin of its own wall, also if this is not the first wall: from 3 to 5 in 2 s. */
+  CU_ASSERT_EQUAL(after("material m density 1 kn 1\ndisc -90 0 radius 1 m\nwall u 9 0 to 9 1 m\n"
+                        "wall w 5 0 to 5 1 m spin 3\nmonitor W wall w\nrecord W.angle\nstep 0.25\n"
+                        "stage a\nramp wall w spin 5\ncycles 8\n",
+                        "W.angle"),
+                  8);
 }
 
 /* A statement that gives a wall a velocity keeps its spin, and one that gives it a spin keeps its velocity. The second

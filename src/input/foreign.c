@@ -107,6 +107,7 @@ static const struct row rows[] = {
   {NB_IN_SCENE, "{model} domain|walls|wall {extent|generate|create} {box|block} X Y to XE YE {WORD}", "box X Y to XE YE WORD", NULL},
   {NB_IN_SCENE, "{model} domain|container {extent} X XE Y YE {Z} {ZE} condition|boundary periodic …", "periodic cell X Y to XE YE", NULL},
   {NB_IN_SCENE, "{model} domain|container|walls|wall|box {extent|generate|create} {box|block} X XE Y YE {WORD}", "box X Y to XE YE WORD", NULL},
+  {NB_IN_SCENE, "box X Y XE YE {WORD}", "box X Y to XE YE WORD", NULL},
   {NB_IN_SCENE, "{model} domain {extent} X XE {condition|boundary} periodic …", "periodic cell X X to XE XE", NULL},
   {NB_IN_SCENE, "{model} domain {extent} X XE", "box X X to XE XE MATERIAL", NULL},
   {NB_IN_SCENE, "container|domain X Y to XE YE {WORD}", "box X Y to XE YE WORD", NULL},
@@ -541,11 +542,30 @@ static bool dimensions_differ(const struct match *match) {
   return a && b && strcmp(a, b) != 0;
 }
 
+/* The value of a word of the pattern, in SI; NaN: the row has no such word. */
+static double value_of(const struct match *match, const char *word) {
+  const struct bound *const bound = bound_of(match, word, strlen(word));
+  struct nb_unit unit;
+  double value;
+  if (!bound)
+    return NAN;
+  const struct nb_token *const tokens = match->reader->tokens;
+  if (bound->from + 1 >= match->reader->count || !nb_unit_read(&unit, tokens[bound->from + 1].text))
+    unit = (struct nb_unit){.factor = 1};
+  return nb_quantity_read(&value, tokens[bound->from].text, false, &unit) == NB_READ ? value : NAN;
+}
+
+/* True if the corners of the row have no area between them: then the line gives them in another order. */
+static bool is_without_area(const struct match *match) {
+  return value_of(match, "XE") <= value_of(match, "X") || value_of(match, "YE") <= value_of(match, "Y");
+}
+
 /* Writes the hint of a row; false: the line is another, or the page lacks a name. */
 static bool row_hint(char *hint, struct match *match, const struct row *row) {
   char line[NB_HINT_SIZE] = "", note[NB_HINT_SIZE] = "";
   match->count = 0;
-  if (!fits(match, row->typed, 0) || !append_line(line, match, row->ours) || is_same(line, match->reader))
+  if (!fits(match, row->typed, 0) || !append_line(line, match, row->ours) || is_same(line, match->reader) ||
+      is_without_area(match))
     return false;
   if (dimensions_differ(match))
     return strcpy(hint, NB_OTHER_DIMENSION);

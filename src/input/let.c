@@ -176,7 +176,7 @@ static const char *unit_of(const struct nb_binding *value) { return value->text 
 static bool word_mistake(struct nb_reader *reader, const struct nb_token *token, bool unit) {
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token->text);
-  for (int kind = 0; kind < NB_UNIT_KINDS && !reader->unitless; kind++)
+  for (int kind = 0; kind < NB_UNIT_KINDS && unit; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
   return nb_expected_at(reader, token, nb_guess_hint(&guess, hint),
                         unit ? "a number or a unit, because the first value of this name is a number"

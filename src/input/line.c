@@ -13,6 +13,8 @@
 #include "expression.h"
 #include "old_words.h"
 
+#define NO_QUOTES "write words and numbers without quotes"
+
 static bool is_space(char c) { return c == ' ' || c == '\t'; }
 static bool name_letter(char c) { return isalnum((unsigned char)c) || c == '_'; }
 
@@ -104,13 +106,17 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
-/* Writes the hint for `$v*$w`, which is `(v*w)`, for `v=$v*2`, which is `v=(v*2)`, or for the comma of `$v,`. The `$`
- * is `before` bytes after the beginning of the word. */
-static void expression_hint(char *hint, const char *word, size_t before, size_t length) {
+/* Writes the hint for `$v*$w`, which is `(v*w)`, for `v=$v*2`, which is `v=(v*2)`, for the comma of `$v,`, for `$v=2` or
+ * for `"$v"`. The `$` is `before` bytes after the beginning of the word, `after` is the character after the name. */
+static void expression_hint(char *hint, const char *word, size_t before, size_t length, char after) {
   const char *const equals = memchr(word, '=', before);
   const size_t from = equals ? (size_t)(equals - word) + 1 : 0;
   if (strchr(",;", word[length - 1])) {
     snprintf(hint, NB_HINT_SIZE, "leave out the `%c`", word[length - 1]);
+    return;
+  }
+  if (strchr("=\"", after)) {
+    snprintf(hint, NB_HINT_SIZE, after == '=' ? "leave out the `=`" : NO_QUOTES);
     return;
   }
   snprintf(hint, NB_HINT_SIZE, "write the whole expression in parentheses: `%.*s(", (int)from, word);
@@ -134,7 +140,7 @@ static bool append_variable(struct nb_reader *reader, const char *word, size_t b
   if (!isnan(value->value) && end_of_name < end) {
     snprintf(hint, sizeof hint, "%.*s", (int)(end - end_of_name), end_of_name);
     char whole[NB_HINT_SIZE];
-    expression_hint(whole, word, before, length);
+    expression_hint(whole, word, before, length, *end_of_name);
     nb_token_mistake(reader, token, whole, "expected a space after `$%s`, found `%.*s`", text, (int)(end - end_of_name),
                      end_of_name);
   }
@@ -364,40 +370,52 @@ static void two_numbers_hint(char *hint, const struct nb_reader *reader, const c
            space, unit, text + n + 1, space, unit);
 }
 
-/* Writes the hint for `50mm`, a number and its unit without a space, or for `1,5`, a decimal comma. */
+/* Writes the hint for `50mm`, a number with a unit, on a page without units; false: it is too large. */
+static bool bare_number_hint(char *hint, const char *text, size_t n, const struct nb_unit *unit) {
+  char number[NB_NAME_SIZE];
+  double value;
+  snprintf(number, sizeof number, "%.*s", (int)n, text);
+  if (nb_quantity_read(&value, number, false, unit) != NB_READ)
+    return false;
+  snprintf(hint, NB_HINT_SIZE, "the scene has `units none`, so numbers are in SI: write `%.10g`", value);
+  return true;
+}
+
+/* Writes the hint for `50mm` or `50/s`, a number and its unit without a space, or for `1,5`, a decimal comma. */
 static bool number_hint(char *hint, const struct nb_reader *reader, const char *text) {
   struct nb_unit read;
-  const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
-               all = n + point + strspn(text + n + point, ".0123456789");
-  const bool unit = nb_unit_read(&read, text + n), comma = point && !text[all];
-  if (n == 0 || n >= 40 || !(unit || comma))
+  const size_t sign = strspn(text, "+-"), number = nb_number_length(text + sign), n = sign + number;
+  const size_t point = text[n] == ',', all = n + point + strspn(text + n + point, ".0123456789");
+  char name[NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s%.40s", text[n] == '/' ? "1" : "", text + n);
+  const bool unit = nb_unit_read(&read, name), comma = point && !text[all];
+  if (number == 0 || n >= 40 || !(unit || comma))
     return false;
-  if (unit && reader->unitless && !nb_unit_without_dimension(text + n)) {
-    char number[NB_NAME_SIZE];
-    double value;
-    snprintf(number, sizeof number, "%.*s", (int)n, text);
-    snprintf(hint, NB_HINT_SIZE, "the scene has `units none`, so numbers are in SI: write `%.10g`",
-             nb_quantity_read(&value, number, false, &read) == NB_READ ? value : 0);
-    return nb_quantity_read(&value, number, false, &read) == NB_READ;
-  }
+  if (unit && reader->unitless && !nb_unit_without_dimension(name))
+    return bare_number_hint(hint, text, n, &read);
   if (memchr(text, '.', all) && all > n + 1)
     return two_numbers_hint(hint, reader, text, n), true;
   const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
                      : all > n + 1 ? "write `%.*s.%s`, without a comma"
                                    : "leave out the comma: `%.*s%s`";
-  snprintf(hint, NB_HINT_SIZE, form, (int)n, text, text + n + comma);
+  snprintf(hint, NB_HINT_SIZE, form, (int)n, text, unit ? name : text + n + comma);
   return true;
 }
 
 /* True for arithmetic outside parentheses: `2*3` and `*`, and in place of a value also `pi/6`. */
 static bool has_operator(const struct nb_reader *reader, const char *text) {
-  const bool number = strchr("-+.0123456789()$", text[0]);
+  const bool number = strchr("-+.0123456789()$", text[0]), sign = strchr("+-", text[0]);
   struct nb_unit unit;
   double value;
-  if (strchr("+-", text[0]) && NB_FIND(reader->bindings, reader->binding_count, text + 1) >= 0)
+  if (sign && NB_FIND(reader->bindings, reader->binding_count, text + 1) >= 0)
     return false; /* `-R` lacks the `$` of a name */
-  return (strchr("*+^-", text[0]) || strcmp(text, "/") == 0 || strpbrk(text + 1, number ? "*/+^-" : "*/+^")) &&
-         (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
+  if (strpbrk(text, "=\""))
+    return false;
+  const size_t length = sign + nb_number_length(text + sign); /* `1e-6x` has no operator */
+  const bool operators = strchr("*^", text[0]) || strcmp(text, "/") == 0 || (sign && (!text[1] || strchr(text, '('))) ||
+                         strpbrk(text + (length ? length : 1), number ? "*/+^-" : "*/+^");
+  return operators && (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER &&
+         !nb_unit_read(&unit, text);
 }
 
 /* True for a function outside parentheses, in place of a value: `exp(2)`. */
@@ -427,14 +445,15 @@ void nb_append_operand(char *hint, const struct nb_reader *reader, const char *t
   nb_append(hint, NB_HINT_SIZE, expression ? "(%s)" : "%s", word);
 }
 
-/* Writes the hint for an operator at token `at`, between numbers: `5 mm * 2`. False: a number is missing. */
+/* Writes the hint for an operator at token `at`, between numbers: `5 mm * 2`. False: a number is missing, or the unit of
+ * a term of a sum. */
 static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at) {
   const struct nb_token *const tokens = reader->tokens;
   struct nb_unit unit;
   const size_t from = at - (at > 1 && nb_unit_read(&unit, tokens[at - 1].text) ? 2 : 1);
   const size_t to = at + 1 + (at + 2 < reader->count && nb_unit_read(&unit, tokens[at + 2].text));
   if (at < 1 || at + 1 >= reader->count || !nb_number_length(tokens[from].text) ||
-      !nb_number_length(tokens[at + 1].text))
+      !nb_number_length(tokens[at + 1].text) || (strchr("+-", *tokens[at].text) && (at - from) != (to - at)))
     return false;
   snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(");
   for (size_t k = from; k <= to; k++) {
@@ -452,13 +471,16 @@ static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at)
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   const long place = token ? token - reader->tokens : 0;
+  int shown = (int)strlen(text) < 80 ? (int)strlen(text) : 80;
+  while (shown > 1 && strchr(",;", text[shown - 1]))
+    shown--;
   const char *const arithmetic = place == 2 && reader->here != NB_IN_EXPECT ? nb_arithmetic_hint(reader) : NULL;
   if (arithmetic)
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
   else if (token && token->name)
     snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
   else if (text[1])
-    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
+    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.*s)`", shown, text);
   else if (!echo_operator(reader, hint, (size_t)place))
     snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(%s * 2)`",
              reader->unitless ? "5" : "5 mm");
@@ -508,7 +530,6 @@ static bool sign_hint(const struct nb_reader *reader, char *hint, const char *te
 }
 
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text) {
-  static const char quotes[] = "write words and numbers without quotes";
   static const struct {
     const char *sign, *hint;
   } signs[] = {{"\u2212", "this is not the minus sign of the keyboard: type `-`"},
@@ -516,9 +537,9 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
                {"\u00D7", "multiply with `*`: `let x = 2 * 3`, and elsewhere in parentheses, `(2 * 3)`"},
                {"\u00B7", "multiply numbers with `*` in parentheses, `(2 * 3)`, and units with a dot, `N.m`"},
                {"\u00B0", "write `deg` after a space: `30 deg`"},
-               {"\u201C", quotes},
-               {"\u2019", quotes},
-               {"\"", quotes}};
+               {"\u201C", NO_QUOTES},
+               {"\u2019", NO_QUOTES},
+               {"\"", NO_QUOTES}};
   for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
     if (strstr(text, signs[k].sign))
       return reader->unitless && strcmp(signs[k].sign, "\u00B0") == 0
@@ -557,20 +578,33 @@ static const char *compared_hint(char *hint, const struct nb_reader *reader) {
   return hint;
 }
 
+/* True for a `fill` in the words of the program. Then a number in it is no number of particles. */
+static bool is_own_fill(const struct nb_reader *reader) {
+  bool found = false;
+  for (size_t k = 0; k < reader->count; k++)
+    found = found || strcmp(reader->tokens[k].text, "attempts") == 0 || strcmp(reader->tokens[k].text, "else") == 0;
+  return found;
+}
+
+/* The hint for a word of another program in the statement of the line; NULL: there is none. */
+static const char *statement_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token) {
+  const char *const verb = reader->tokens[0].text;
+  if (!nb_number_length(token[-1].text) && nb_pair_synonym(verb, token->text) &&
+      ((strcmp(verb, "servo") == 0 && nb_servo_hint(hint, reader)) ||
+       (strcmp(verb, "box") == 0 && nb_open_box_hint(hint, reader, token))))
+    return hint;
+  return strcmp(verb, "fill") == 0 && is_own_fill(reader) ? NULL : nb_pair_hint(hint, verb, token->text);
+}
+
 /* The hint for a word of another program in this statement, `fill 200`, or in any expectation; NULL: there is none. */
 static const char *context_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token) {
   const bool inside = token > reader->tokens && reader->here != NB_IN_EXPECT;
   const struct nb_synonym *const sign = inside ? NULL : nb_pair_synonym("expect", token->text);
   if (token > reader->tokens && sign && strstr(sign->words, "expect_="))
     return compared_hint(hint, reader);
-  const char *const verb = reader->tokens[0].text;
-  if (inside && !nb_number_length(token[-1].text) && nb_pair_synonym(verb, token->text) &&
-      ((strcmp(verb, "servo") == 0 && nb_servo_hint(hint, reader)) ||
-       (strcmp(verb, "box") == 0 && nb_open_box_hint(hint, reader, token))))
-    return hint;
-  return inside                         ? nb_pair_hint(hint, reader->tokens[0].text, token->text)
-         : reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text)
-                                        : NULL;
+  if (inside)
+    return statement_hint(reader, hint, token);
+  return reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text) : NULL;
 }
 
 /* The hint for a word without another hint: that of a word of another program, or the example of the statement; NULL:

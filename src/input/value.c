@@ -169,6 +169,13 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
               reader->here & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT) ? "contact test" : "scene");
 }
 
+static bool has_token(const struct nb_reader *reader, const char *text) {
+  bool found = false;
+  for (size_t k = 0; k < reader->count; k++)
+    found = found || strcmp(reader->tokens[k].text, text) == 0;
+  return found;
+}
+
 /* Writes the hint with two common units. For a number without a unit the hint also has the statement's example if the
  * number follows no word of a clause, or if another number follows. */
 static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
@@ -181,7 +188,9 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
   double value;
   if (!has_unit)
     add_advice(more, reader, each || first);
-  if (second)
+  if (strstr(it->units, NB_PER_CYCLE) && has_token(reader, NB_PER_CYCLE))
+    snprintf(hint, NB_HINT_SIZE, "write `%.40s %s`, as the other rates of the line", n, NB_PER_CYCLE);
+  else if (second)
     snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
              (int)strcspn(second + 2, ","), second + 2, more);
   else
@@ -216,7 +225,7 @@ static bool percent_hint(char *hint, const char *n, const struct nb_token *next,
 static bool quotient_hint(char *hint, const char *n, const struct nb_token *next) {
   struct nb_unit unit; /* `m/s2` is one unit */
   const bool other = next && (nb_unit_foreign(next->text, NULL) || nb_unit_read(&unit, next->text));
-  const int head = next && !other ? (int)nb_unit_before_operator(next->text) : 0;
+  const int head = next && !other && !strchr(next->text, '=') ? (int)nb_unit_before_operator(next->text) : 0;
   if (head)
     snprintf(hint, NB_HINT_SIZE, "put operators and their operands into parentheses: `(%.40s %.*s %c %.80s)`", n, head,
              next->text, next->text[head], next->text + head + 1);
@@ -394,8 +403,8 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   reader->next += matches ? 2 : 1;
   reader->has_units |= matches;
   const struct nb_token *next = nb_token_peek(reader);
-  const bool sign = next && strchr("+-*/^", next->text[0]) && !is_number(next);
-  return !sign || nb_expected(reader, NULL, "no operator outside parentheses");
+  const bool operator= next && strchr("+-*/^", next->text[0]) && !nb_number_length(next->text + 1); /* `-1x` has none */
+  return !operator|| nb_expected(reader, NULL, "no operator outside parentheses");
 }
 
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value) {
