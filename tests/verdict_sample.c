@@ -56,6 +56,8 @@ static void samples(void) {
        "; from 2 to 3: mean difference +3,"},
       {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
       {"sweep T 1 2\nsweep s 1 2", "A.x decreases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
+      {"sweep T hot cold\nsweep s 1 2", "A.x decreases with T over s", {0, 10, 1, 11.1}, NB_FAIL, "from hot to cold"},
+      {"sweep T hot cold\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11.1}, NB_PASS, "from hot to cold"},
       {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11, 0, 10}, NB_FAIL, ""},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {1, 11.1, 0, 10, 2, 12.2}, NB_PASS, "from 1 to 2"},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11.1, 2, 12.2}, NB_FAIL, "from 1 to 2"},
