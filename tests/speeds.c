@@ -119,20 +119,25 @@ static void unbalanced_under_centripetal_gravity(void) {
 }
 
 /* Centripetal gravity has no direction at its point: a disc there stays at rest, and the disc beside it falls. */
+/* At its point the acceleration is 0. A negative acceleration points away from it. */
 static void at_the_point_of_centripetal_gravity(void) {
-  struct words page = {0};
-  struct written it;
-  struct nb_result result;
-  words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 -7 radius 1 m\ndisc 9 -7 radius 1 m\n"
-                   "monitor D disc 1\nmonitor E disc 2\nrecord D.x D.y D.vx D.vy E.vx\nstage s\n"
-                   "gravity centripetal 0.5 about 3 -7\ncycles 2\n");
-  written_scene(&it, &page);
-  written_run(&result, &it, NULL);
-  CU_ASSERT(written_last(&result, "D.x") == 3 && written_last(&result, "D.y") == -7);
-  CU_ASSERT(written_last(&result, "D.vx") == 0 && written_last(&result, "D.vy") == 0);
-  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "E.vx"), -0.5 * 2 * 0.125, 1e-15);
-  nb_result_free(&result);
-  written_free(&it);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 -7 radius 1 m\ndisc 9 -7 radius 1 m\n"
+              "monitor D disc 1\nmonitor E disc 2\nrecord D.x D.y D.vx D.vy E.vx\nstage s\n"
+              "gravity centripetal %g about 3 -7\ncycles 2\n",
+              sign * 0.5);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT(written_last(&result, "D.x") == 3 && written_last(&result, "D.y") == -7);
+    CU_ASSERT(written_last(&result, "D.vx") == 0 && written_last(&result, "D.vy") == 0);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "E.vx"), -sign * 0.5 * 2 * 0.125, 1e-15);
+    nb_result_free(&result);
+    written_free(&it);
+  }
 }
 
 void suite_speeds(void) {
