@@ -213,6 +213,10 @@ static void settings(void) {
   read = read_scene(text, 0, all);
   CU_ASSERT_EQUAL(read.scene.runs, 1);
   done(&read);
+  const char *const second[] = {"n=120", NULL}; /* selects the second row by its second value */
+  read = read_scene(text, 0, second);
+  CU_ASSERT(read.status == NB_OK && read.scene.runs == 1 && read.scene.particles[0].vx == 2);
+  done(&read);
   const char *const wrong[] = {"r=1 mm", NULL};
   read = read_scene(text, 0, wrong);
   CU_ASSERT(says(&read, "--set: error: ") && says(&read, "      | r=1 mm\n      | ^\n  hint: did you mean `R`?"));
