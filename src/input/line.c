@@ -479,9 +479,9 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
   else if (token && token->name)
     snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
-  else if (text[1])
+  else if (text[1] && !strchr("*/^", *text))
     snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.*s)`", shown, text);
-  else if (!echo_operator(reader, hint, (size_t)place))
+  else if (text[1] || !echo_operator(reader, hint, (size_t)place))
     snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(%s * 2)`",
              reader->unitless ? "5" : "5 mm");
 }
@@ -578,14 +578,6 @@ static const char *compared_hint(char *hint, const struct nb_reader *reader) {
   return hint;
 }
 
-/* True for a `fill` in the words of the program. Then a number in it is no number of particles. */
-static bool is_own_fill(const struct nb_reader *reader) {
-  bool found = false;
-  for (size_t k = 0; k < reader->count; k++)
-    found = found || strcmp(reader->tokens[k].text, "attempts") == 0 || strcmp(reader->tokens[k].text, "else") == 0;
-  return found;
-}
-
 /* The hint for a word of another program in the statement of the line; NULL: there is none. */
 static const char *statement_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token) {
   const char *const verb = reader->tokens[0].text;
@@ -593,7 +585,8 @@ static const char *statement_hint(const struct nb_reader *reader, char *hint, co
       ((strcmp(verb, "servo") == 0 && nb_servo_hint(hint, reader)) ||
        (strcmp(verb, "box") == 0 && nb_open_box_hint(hint, reader, token))))
     return hint;
-  return strcmp(verb, "fill") == 0 && is_own_fill(reader) ? NULL : nb_pair_hint(hint, verb, token->text);
+  /* In a `fill` in the words of the program a number is no number of particles. */
+  return strcmp(verb, "fill") == 0 && nb_line_has(reader, "attempts") ? NULL : nb_pair_hint(hint, verb, token->text);
 }
 
 /* The hint for a word of another program in this statement, `fill 200`, or in any expectation; NULL: there is none. */
@@ -643,6 +636,13 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);
+}
+
+bool nb_line_has(const struct nb_reader *reader, const char *text) {
+  size_t k = 0;
+  while (k < reader->count && strcmp(reader->tokens[k].text, text) != 0)
+    k++;
+  return k < reader->count;
 }
 
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what) {

@@ -131,6 +131,7 @@ const struct nb_binding *nb_use_binding(struct nb_reader *reader, const char *na
 /* Splits a line of the page into tokens; after `let NAME =` the rest of the line is one token. False if the line has no
  * tokens; line 0 has none. */
 bool nb_line_read(struct nb_reader *reader, size_t line);
+bool nb_line_has(const struct nb_reader *reader, const char *text);   /* true if a token of the line is this text */
 const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* the next token; NULL at the end of the line */
 bool nb_token_is(const struct nb_reader *reader, const char *word);   /* true if the next token is this word */
 bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes the next token if it is this word */

@@ -18,11 +18,10 @@ static const char *quantity_words(const struct nb_scene *scene) {
 bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested) {
   char hint[NB_HINT_SIZE];
   struct nb_quantity quantity;
-  const bool known =
-      reader->next < reader->count && nb_quantity_find(&quantity, reading->scene, reader->tokens[reader->next].text);
+  const struct nb_token *token = nb_token_peek(reader);
+  const bool known = token && nb_quantity_find(&quantity, reading->scene, token->text);
   if (!known && nb_phrase_hint(hint, reading->scene, &reader->tokens[reader->next], reader->count - reader->next))
     return nb_expected(reader, hint, "%s", quantity_words(reading->scene));
-  const struct nb_token *token = nb_token_peek(reader);
   if (token && strcmp(reader->tokens[0].text, "until") == 0 && !known && nb_pair_hint(hint, "until", token->text))
     return nb_expected(reader, hint, "%s", quantity_words(reading->scene));
   token = nb_take_token(reader, quantity_words(reading->scene));

@@ -595,9 +595,7 @@ static const char *part_hint(char *hint, const struct nb_reader *reader, const s
 static bool servo_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token,
                        const struct nb_guess *guess) {
   const char *const word = reader->keyword->word ? reader->keyword->word : "";
-  bool whole = false; /* only the mistyped word is wrong */
-  for (size_t k = 0; k < reader->count; k++)
-    whole = whole || strcmp(reader->tokens[k].text, "most") == 0;
+  const bool whole = nb_line_has(reader, "most"); /* only the mistyped word is wrong */
   return strcmp(word, "servo") == 0 &&
          (!token || strchr(token->text, '.') || nb_pair_synonym(word, token->text) || !whole ||
           !nb_guess_found(guess)) &&

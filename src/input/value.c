@@ -169,13 +169,6 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
               reader->here & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT) ? "contact test" : "scene");
 }
 
-static bool has_token(const struct nb_reader *reader, const char *text) {
-  bool found = false;
-  for (size_t k = 0; k < reader->count; k++)
-    found = found || strcmp(reader->tokens[k].text, text) == 0;
-  return found;
-}
-
 /* Writes the hint with two common units. For a number without a unit the hint also has the statement's example if the
  * number follows no word of a clause, or if another number follows. */
 static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
@@ -188,7 +181,7 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
   double value;
   if (!has_unit)
     add_advice(more, reader, each || first);
-  if (strstr(it->units, NB_PER_CYCLE) && has_token(reader, NB_PER_CYCLE))
+  if (strstr(it->units, NB_PER_CYCLE) && nb_line_has(reader, NB_PER_CYCLE))
     snprintf(hint, NB_HINT_SIZE, "write `%.40s %s`, as the other rates of the line", n, NB_PER_CYCLE);
   else if (second)
     snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
@@ -372,6 +365,12 @@ static bool comma_after_number_hint(char *hint, const struct nb_reader *reader, 
          nb_number_read(&value, bare, 0) == NB_READ;
 }
 
+/* True for `*2` and `-`; `-1x` is a mistyped number. */
+static bool begins_with_operator(const struct nb_token *token) {
+  return token && strchr("+-*/^", token->text[0]) &&
+         !(strchr("+-", token->text[0]) && nb_number_length(token->text + 1));
+}
+
 /* Reports a token that is no number in place of one. */
 static bool no_number_mistake(struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *const token = nb_token_peek(reader);
@@ -402,9 +401,7 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   }
   reader->next += matches ? 2 : 1;
   reader->has_units |= matches;
-  const struct nb_token *next = nb_token_peek(reader);
-  const bool operator= next && strchr("+-*/^", next->text[0]) && !nb_number_length(next->text + 1); /* `-1x` has none */
-  return !operator|| nb_expected(reader, NULL, "no operator outside parentheses");
+  return !begins_with_operator(nb_token_peek(reader)) || nb_expected(reader, NULL, "no operator outside parentheses");
 }
 
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value) {

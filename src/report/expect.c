@@ -985,21 +985,19 @@ static bool is_kind_of(const struct nb_token *token, const char *first) {
   return synonym && strncmp(synonym->words, first, strlen(first)) == 0;
 }
 
-/* True if the word says how the measure is judged. A line has one of them. */
-static bool is_judging(const char *word) {
-  static const char *const words[] = {"versus",    "expected",  "below",    "above",
-                                      "increases", "decreases", "constant", "order"};
-  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    if (strcmp(word, words[k]) == 0)
-      return true;
-  return false;
+/* True if the line has a word that says with what the measure is compared. */
+static bool is_compared(const struct nb_reader *reader) {
+  bool found = false;
+  for (const struct nb_expectation_row *row = rows; row->word; row++)
+    found = found || (row->kind != NB_WITHIN && nb_line_has(reader, row->word));
+  return found;
 }
 
 /* Writes the hint for `conserved`; or, for a value, the line with `expected` before it. NULL: the token is neither, or
  * the line has another word of this kind. */
 static const char *value_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                               const struct nb_token *token) {
-  bool within = false, judged = false;
+  bool within = false;
   *hint = '\0';
   if (is_kind_of(token, "expect_conserved")) {
     append_constant(hint, reader, scene);
@@ -1008,12 +1006,11 @@ static const char *value_hint(char *hint, const struct nb_reader *reader, const 
   snprintf(hint, NB_HINT_SIZE, "write `");
   for (size_t k = 0; k < reader->count && *reader->tokens[k].text != '['; k++) {
     within = within || strcmp(reader->tokens[k].text, "within") == 0;
-    judged = judged || is_judging(reader->tokens[k].text);
     nb_append(hint, NB_HINT_SIZE, "%s%s", k ? " " : "", k == reader->next ? "expected " : "");
     nb_append_operand(hint, reader, reader->tokens[k].text);
   }
   nb_append(hint, NB_HINT_SIZE, "%s [SOURCE]`", within ? "" : " within 1 %");
-  return nb_number_length(token->text) && !judged ? hint : NULL;
+  return nb_number_length(token->text) && !is_compared(reader) ? hint : NULL;
 }
 
 /* Reads the rest of the expectation as the row of its word says. The hint for an unknown word also suggests reducers
@@ -1067,9 +1064,7 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   struct nb_expectations *expectations = reading->expectations;
   struct nb_expectation expectation = {.line = (int)reader->line};
   (void)record;
-  bool compared = false; /* the line compares the measure with a number, by `expected` */
-  for (size_t k = 0; k < reader->count; k++)
-    compared = compared || strcmp(reader->tokens[k].text, "expected") == 0;
+  const bool compared = nb_line_has(reader, "expected"); /* with a number */
   if (one_run_mistake(reader, reading->scene))
     return;
   if (!take_measure(reader, reading->scene, &expectation.measure)) {
