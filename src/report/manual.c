@@ -416,12 +416,13 @@ static void grammar(const struct manual *to) {
                 "and `gnuplot`; all else is prose. Several blocks of one kind are read as one block, in their order. A "
                 "statement is one line of words with spaces between them; `#` begins a comment.");
   paragraph(
-      to, "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an "
-          "example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and `a|b` means a or "
-          "b. Clauses (a word and its values) may be in any order. In the list of arguments, `without it` gives the "
-          "default; an argument without default is required, unless `|` in the syntax makes it one of several. `$NAME` "
-          "stands for the value that a line `let` or "
-          "`sweep` above gives to NAME.");
+      to,
+      "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an "
+      "example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and `a|b` means a or "
+      "b. Clauses (a word and its values) may be in any order; only `every N cycles` of `servo` is always the last. "
+      "In the list of arguments, `without it` gives the default; an argument without default is required, unless "
+      "`|` in the syntax makes it one of several. `$NAME` stands for the value that a line `let` or `sweep` above "
+      "gives to NAME.");
   snprintf(text, sizeof text,
            "A name has fewer than %d characters. It begins with a letter (a to z, A to Z); letters, digits, `_` and "
            "`-` may follow, but the name of a value has no `-`. A number is decimal: `-1.5e3`. A page may have at most "
