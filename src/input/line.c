@@ -13,8 +13,6 @@
 #include "expression.h"
 #include "old_words.h"
 
-#define NO_QUOTES "write words and numbers without quotes"
-
 static bool is_space(char c) { return c == ' ' || c == '\t'; }
 static bool name_letter(char c) { return isalnum((unsigned char)c) || c == '_'; }
 
@@ -116,7 +114,7 @@ static void expression_hint(char *hint, const char *word, size_t before, size_t 
     return;
   }
   if (strchr("=\"", after)) {
-    snprintf(hint, NB_HINT_SIZE, after == '=' ? "leave out the `=`" : NO_QUOTES);
+    snprintf(hint, NB_HINT_SIZE, after == '=' ? "leave out the `=`" : NB_NO_QUOTES);
     return;
   }
   snprintf(hint, NB_HINT_SIZE, "write the whole expression in parentheses: `%.*s(", (int)from, word);
@@ -537,9 +535,9 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
                {"\u00D7", "multiply with `*`: `let x = 2 * 3`, and elsewhere in parentheses, `(2 * 3)`"},
                {"\u00B7", "multiply numbers with `*` in parentheses, `(2 * 3)`, and units with a dot, `N.m`"},
                {"\u00B0", "write `deg` after a space: `30 deg`"},
-               {"\u201C", NO_QUOTES},
-               {"\u2019", NO_QUOTES},
-               {"\"", NO_QUOTES}};
+               {"\u201C", NB_NO_QUOTES},
+               {"\u2019", NB_NO_QUOTES},
+               {"\"", NB_NO_QUOTES}};
   for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
     if (strstr(text, signs[k].sign))
       return reader->unitless && strcmp(signs[k].sign, "\u00B0") == 0

@@ -791,8 +791,9 @@ static void unknown_hint(char *hint, const struct nb_scene *scene, const char *t
   const char *const rest = scene->contact_test ? NULL : strchr(text, '.');
   if (!nb_synonym_hint(hint, text) && !(rest && meant_line(hint, rest + 1)))
     snprintf(hint, NB_HINT_SIZE,
-             rest ? "there is no monitor or region `%.*s`: define it with `monitor NAME …` or `region NAME …`"
-                  : "see `nineball --help quantities`",
+             strchr(text, '"') ? NB_NO_QUOTES
+             : rest ? "there is no monitor or region `%.*s`: define it with `monitor NAME …` or `region NAME …`"
+                    : "see `nineball --help quantities`",
              (int)strcspn(text, "."), text);
 }
 

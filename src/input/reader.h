@@ -155,6 +155,8 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
 /* Reports at the end of the line that no word of it begins with `begin`. No report if there is such a word, or if the
  * last message is about this line and its hint has `begin`. The line may already have another mistake. */
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
+/* The hint for a word or number in quotes. */
+#define NB_NO_QUOTES "write words and numbers without quotes"
 /* Returns the hint for syntax of another language or a word processor, which is a constant or is written to `hint`, a
  * text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
