@@ -117,8 +117,29 @@ static void shear_energy_is_dissipated_at_each_separation(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* A heavy disc leaves a wall obliquely, at 0.3 m/s along the wall and 0.2 m/s away from it. In the last step before the
+ * contact is open, the overlap is 0.2 mm, the shear force F_s = 0.9 * 1000 N/m * 0.2 mm slides at its limit, and its
+ * mean over the next step, F_s/2, acts over 0.3 mm. So this step dissipates F_s^2/(2 k_s) and F_s/2 times 0.3 mm, which
+ * is no sliding, and then all work of the shear force has been dissipated. */
+static void a_contact_that_opens_obliquely(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1e12 kn 1000 ks 700 friction 0.9\nshear linear\n"
+                   "disc 0 0.99 radius 1 m velocity 0.3 0.2\nwall w -90 0 to 90 0 m\nstep 0.001\n" RECORD
+                   "stage away\ncycles 60\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double friction = written_last(&result, "energy.friction"), force = 0.9 * 1000 * 2e-4;
+  CU_ASSERT_DOUBLE_EQUAL(friction, written_last(&result, "energy.shear"), 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(friction - written_last(&result, "energy.sliding"),
+                         force * force / (2 * 700) + force / 2 * 3e-4, 1e-12);
+  nb_result_free(&result), written_free(&it);
+}
+
 void suite_accounts(void) {
   CU_pSuite suite = CU_add_suite("accounts", NULL, NULL);
   CU_ADD_TEST(suite, each_energy_source_has_its_term);
   CU_ADD_TEST(suite, shear_energy_is_dissipated_at_each_separation);
+  CU_ADD_TEST(suite, a_contact_that_opens_obliquely);
 }

@@ -78,6 +78,21 @@ static void psi1_is_of_the_contact(void) {
   }
 }
 
+/* The surface of a sphere that rotates moves at 2 m/s, faster than the contact. So the centre moves backwards. The angle
+ * of incidence is above 0 all the same. */
+static void the_angle_has_no_sign(void) {
+  struct written it;
+  struct nb_model *model = made(&it,
+                                "sphere 0 3 radius 0.5 m spin 4\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\n"
+                                "monitor C sphere 1 with wall f\n",
+                                "impact C speed 2 psi1 1.5");
+  const double a = written_now(model, "impact.angle");
+  CU_ASSERT(a > 0.1);
+  NEAR(2 - 2 * sin(a), 1.5 * 0.3 * 1.25 * 2 * cos(a), 1e-14);
+  NEAR(written_now(model, "B.vx"), -2 * sin(a), 1e-14);
+  nb_model_free(model), written_free(&it);
+}
+
 /* Spheres 2 and 3 collide. They differ in radius and material. A fixed sphere has infinite mass. */
 #define TWO                                                                                                            \
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
@@ -270,6 +285,7 @@ void suite_impact(void) {
   CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
   CU_add_test(suite, "initial motion", initial_motion);
   CU_add_test(suite, "psi1 is that of the point of contact", psi1_is_of_the_contact);
+  CU_add_test(suite, "the angle of incidence has no sign", the_angle_has_no_sign);
   CU_add_test(suite, "effective constants of two particles", effective_constants_of_two_particles);
   CU_add_test(suite, "impact on a wall at its nearest point", impact_on_a_wall_at_its_nearest_point);
   CU_add_test(suite, "an impact ends at separation", an_impact_ends_at_separation);

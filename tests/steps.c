@@ -148,6 +148,10 @@ static void duration_of_collisions(void) {
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 3 1.5 radius 1 m\nwall w -90 0 to 90 0 r spin 0.1\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
+  /* the second wall counts with its own material: 1/E* = 1/1 + 1/0.5, while the first wall is rigid */
+  NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 0 -0.1\nwall v -90 9 to 90 9 r\nwall w -90 0 to 90 0 w\n"
+                       "step 20 per collision\n"),
+       hertz(1. / 3, 1, 1, 0.1) / 20, 1e-14);
   /* whether the face of a wall is hit depends on the place of the first touch, x = 7 or -7, not on where the centre
    * would reach the line */
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 0.35 -0.1\nwall w -90 0 to 9 0 r\nstep 20 per collision\n"),
@@ -279,19 +283,27 @@ static void walls_of_the_first_stage(void) {
 /* A stage that removes a particle predicts collisions without it, whether it approached others or others approached
  * it. */
 static void removed_particles_do_not_collide(void) {
-  for (int removed = 1; removed <= 3; removed++) {
+#define LINE "sphere 0 0 radius 1 m velocity 1 0\nsphere 6 0 radius 1 m\nsphere 12 0 radius 1 m velocity -0.5 0\n"
+  static const struct {
+    const char *spheres;
+    int removed;
+    double speed;
+  } rows[] = {
+      {LINE, 1, 0.5},
+      {LINE, 2, 1.5},
+      {LINE, 3, 1},
+      {"sphere 0 0 radius 1 m velocity 1 0\nsphere 3 0 radius 1 m velocity 0.9 0\nsphere 12 0 radius 1 m\n", 3, 0.1}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
     words_add(&page,
-              SPHERES "sphere 0 0 radius 1 m velocity 1 0\nsphere 6 0 radius 1 m\nsphere 12 0 radius 1 m velocity -0.5 "
-                      "0\nstep 1e-9\nrecord step\nstage a\ncycles 1\nstage b\n"
-                      "remove sphere %d\nstep 20 per collision\ncycles 1\n",
-              removed);
+              SPHERES "%sstep 1e-9\nrecord step\nstage a\ncycles 1\nstage b\nremove sphere %d\n"
+                      "step 20 per collision\ncycles 1\n",
+              rows[k].spheres, rows[k].removed);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
-    static const double speeds[] = {0.5, 1.5, 1};
-    NEAR(written_last(&result, "step"), hertz(0.5, 0.5, 0.5, speeds[removed - 1]) / 20, 1e-9);
+    NEAR(written_last(&result, "step"), hertz(0.5, 0.5, 0.5, rows[k].speed) / 20, 1e-9);
     nb_result_free(&result);
     written_free(&it);
   }
@@ -344,20 +356,28 @@ static void walls_of_a_later_stage(void) {
   }
 }
 
-/* Without stiffness, or without free particles, the limit is infinite, and no fraction of it is a step. */
+/* Without stiffness, or without free particles, the limit is infinite, and no fraction of it is a step. A fraction of
+ * 1e-310 of the limit of 4e-16 s is less than the smallest number, so the step is 0. A step by `--set` has no line. */
 static void an_infinite_limit(void) {
-  static const char *const particles[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
-  for (size_t n = 0; n < 2; n++) {
+  static const struct {
+    const char *particles, *settings[2], *words;
+    int line;
+  } rows[] = {
+      {"density 1 kn 0\ndisc 0 0 radius 1 m", {NULL}, "the step has no limit:", 5},
+      {"density 1 kn 8\ndisc 0 0 radius 1 m fixed", {NULL}, "the step has no limit:", 5},
+      {"density 1 kn 0\ndisc 0 0 radius 1 m", {"step=0.2 of single-contact"}, "--set: the step has no limit:", 0},
+      {"density 1e-20 kn 1e12\ndisc 0 0 radius 1 m", {"step=1e-310 of single-contact"}, "--set: the step is 0:", 0},
+  };
+  for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
     struct words page = {0};
     struct written it;
     struct nb_error error = {0};
-    words_add(&page, "units none\nmaterial m density 1 %s\nstep 0.1 of single-contact\nstage s\ncycles 1\n",
-              particles[n]);
-    written_scene(&it, &page);
+    words_add(&page, "units none\nmaterial m %s\nstep 0.1 of single-contact\nstage s\ncycles 1\n", rows[n].particles);
+    written_scene_set(&it, &page, rows[n].settings);
     CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
-    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the step has no limit:"));
-    CU_ASSERT_EQUAL(error.line, 5);
+    CU_ASSERT_PTR_EQUAL(strstr(error.text, rows[n].words), error.text);
+    CU_ASSERT_EQUAL(error.line, rows[n].line);
     written_free(&it);
   }
 }
