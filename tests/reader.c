@@ -83,6 +83,35 @@ static void blocks(void) {
 }
 
 /* The title is the first heading outside a block, in any line. */
+/* Lines that are no fence, and blocks `expect` that are not read because they are in a quote or a list: the kind of each
+ * line, 0 for prose and fences, 5 for a line of a hidden block. */
+static void fences(void) {
+  static const char *const rows[][2] = {{"```scene `x`\na\n", "00"},
+                                        {"```\tscene\na\n```\nb\n", "0100"},
+                                        {"- ```expect\n  a\n  ```\nb\n", "0500"},
+                                        {"+ ```expect\n  a\n  ```\nb\n", "0500"},
+                                        {"* ```expect\n  a\n  ```\nb\n", "0500"},
+                                        {"> ```expect\n> a\n> ```\n> b\n", "0500"},
+                                        {">\t```expect\n>\ta\n>\t```\n> b\n", "0500"}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct read read = read_bytes(rows[k][0], strlen(rows[k][0]), 0, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.page.line_count, strlen(rows[k][1]));
+    for (size_t line = 0; line < read.page.line_count; line++)
+      CU_ASSERT_EQUAL(read.page.kind_of[line], rows[k][1][line] - '0');
+    done(&read);
+  }
+}
+
+/* The name of a page is that of its file, without `.md`. */
+static void names_of_pages(void) {
+  static const char *const rows[][2] = {{"a/b/case.md", "case"}, {"case", "case"}, {"a.md/.md", ".md"}, {"x.md", "x"}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const char *name;
+    const size_t length = nb_page_name(rows[k][0], &name);
+    CU_ASSERT(length == strlen(rows[k][1]) && strncmp(name, rows[k][1], length) == 0);
+  }
+}
+
 static void titles(void) {
   static const char *const rows[][2] = {{"# A", "A"},
                                         {"\nwords\n# B\n# C\n", "B"},
@@ -197,7 +226,7 @@ static void settings(void) {
   static const char text[] =
       "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nlet s = 2\nshear none\n" ROCK
       "disc 0 m 0 m radius $R rock velocity $v $v\nstep 1 us\nstage go\ncycles $n\nstage on\nstep 2 us\ncycles 1\n";
-  const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of single-contact", NULL};
+  const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm # wider", "shear=linear", "step=0.1 of single-contact", NULL};
   struct read read = read_scene(text, 1, some);
   CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
   CU_ASSERT_EQUAL(read.scene.runs, 2); /* the sweep of n still has two values */
@@ -396,6 +425,8 @@ void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
   CU_add_test(suite, "texts that are numbers, and texts that are not", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
+  CU_add_test(suite, "fences, and blocks that are not read", fences);
+  CU_add_test(suite, "names of pages", names_of_pages);
   CU_add_test(suite, "title of a page", titles);
   CU_add_test(suite, "parts of names", parts_of_names);
   CU_add_test(suite, "spellings of words of other programs", spellings_of_other_programs);
