@@ -230,6 +230,10 @@ printf '```gnuplot\nprint known_M_strain_turn, M_strain_turn_1\n```\n' >"$work/o
 "$nineball" migrate "$work/one.md" 2>"$work/said" | grep -qxF 'print reference_M_strain_rotation, M_strain_rotation_1'
 result $? 'the name of a variable has _ between its parts'
 
+printf '```gnuplot\nset title "M.voids of the sand / a fraction"\n```\n' >"$work/one.md"
+"$nineball" migrate "$work/one.md" 2>"$work/said" | diff "$work/one.md" - >>"$work/said"
+result $? 'a title with a division is not the name of a column'
+
 printf '```scene\r\ndiscs lattice 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/one.md"
 printf '```scene\r\nlattice discs 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/wanted"
 cp "$work/one.md" "$work/two.md"
@@ -248,7 +252,7 @@ result $? '--in-place keeps links and permissions'
 "$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'with --in-place' "$work/said"
 result $? 'several pages need --in-place'
-printf '# a\n```scene\nlet  kind literal\nlet b $a\nsweep word tries 4 pieces\nlet d 5 mm\nlet e discs\nsweep f $a\n```\nlet kind literal\n' >"$work/one.md"
+printf '# a\n```scene\nlet  kind literal\nlet b $a\nsweep word tries 4 pieces\nlet d 5 mm\nlet e discs\nlet g = $a\nsweep f $a\n```\nlet kind literal\n' >"$work/one.md"
 "$nineball" migrate "$work/one.md" >"$work/new" 2>"$work/said"
 test $? -eq 0 && grep -qxF 'let d = 5 mm' "$work/new" && cat >"$work/wanted" <<EOF && diff "$work/wanted" "$work/said"
 $work/one.md:3:11: warning: \`literal\` is not rewritten: with \$kind, \`continuum … literal\` is \`affine … accumulated\` now

@@ -194,6 +194,11 @@ cat "$work/why" >>"$work/heard"
 grep -qF "hint: did you mean \`$work/whole.md\`?" "$work/why"
 result $? 'the name of a page without .md'
 
+mkdir "$work/both" && cp "$work/whole.md" "$work/both.md"
+"$nineball" explain "$work/both" 2>"$why"
+grep -qF 'error: cannot be read: it is a folder' "$why" && ! grep -q 'hint' "$why"
+result $? 'a folder beside a page of its name'
+
 "$nineball" advise tests/pages/passes.md --within '1 % x' >/dev/null 2>"$why"
 cat "$why" >>"$work/heard"
 grep -qF 'expected the end of the text, found `x`' "$why"
@@ -229,6 +234,13 @@ boundary circle @ @ radius 1
 boundary circle 0 0 radius 1|boundary strain @ @ shear @
 boundary circle 0 0 radius 1|boundary stress @ @ shear @
 END
+
+# ---- lines of a file of columns that are not read ----
+
+printf '# a comment\n\n \t\nx/m\ty/m\tradius/m\n1\t2\t0.1\n\t\n# another\n3\t4\t0.1\n' >"$work/lines.tsv"
+page 'packing lines.tsv discs rock' >"$work/page.md"
+"$nineball" explain "$work/page.md" >"$why" 2>&1 && grep -qxF '  3 particles, 0 walls' "$why"
+result $? 'comments and empty lines of a packing'
 
 # ---- pipes, devices and folders: reading a pipe could block forever ----
 

@@ -248,6 +248,10 @@ for x in 312 318; do # the relatively larger one of two overlaps is named, which
   run 0 explain two.md
   out "$(test $x = 312 && echo 'particle 3 overlaps particle 2' || echo 'particle 1 overlaps wall `floor`')"
 done
+# A computed angle is no bare number, and none is a number with an operator after it.
+sed 's/cos(2\*tilt)/cos(tilt*2) + sin(turn) + tan(30)/; s/^let *c /let turn = 2*tilt\n&/' doubtful.md >computed.md
+run 0 explain computed.md
+test "$(grep 'in radians' said | sed 's/.*of `\(.*\)()`.*write `\(.*\) deg`.*/\1 \2/' | tr '\n' ' ')" = 'sin 20 cos -20 tan 30 ' || echo 'other angles' >>why
 printf '```scene\nunits none\nmaterial m density 1 kn 1\nlet a = sin(20)\ndisc $a 0 radius 1 m\nstep 0.1\nstage one\ncycles 1\n```\n' >bare.md
 run 0 explain bare.md
 grep -q 'radians' said && echo 'a warning of an angle on a page without units' >>why

@@ -226,7 +226,8 @@ static void settings(void) {
   static const char text[] =
       "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nlet s = 2\nshear none\n" ROCK
       "disc 0 m 0 m radius $R rock velocity $v $v\nstep 1 us\nstage go\ncycles $n\nstage on\nstep 2 us\ncycles 1\n";
-  const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm # wider", "shear=linear", "step=0.1 of single-contact", NULL};
+  const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm # wider", "shear=linear", "step=0.1 of single-contact",
+                              NULL};
   struct read read = read_scene(text, 1, some);
   CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
   CU_ASSERT_EQUAL(read.scene.runs, 2); /* the sweep of n still has two values */

@@ -181,20 +181,20 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
 /* ---- operands ---- */
 
 /* Reports the word `text`, which follows a number but cannot be its unit here. `length`: bytes of the word; `is`: the
- * word is a unit; `glued`: no space is before the word. */
-static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
+ * word is a unit, but no space is before it, or the page has no units. */
+static void wrong_unit(struct parser *p, size_t length, const char *text, bool is) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
   const bool has_none = p->reader->unitless && !nb_unit_without_dimension(text);
   int open = 0; /* parentheses */
   for (const char *c = p->line; c < p->at; c++)
     open += (*c == '(') - (*c == ')');
-  const char *const form = is && glued && !has_none ? "put a space between the number and the unit `%s`"
-                           : is                     ? "the scene has `units none`, so `%s` is not a unit"
+  const char *const form = is && !has_none ? "put a space between the number and the unit `%s`"
+                           : is            ? "the scene has `units none`, so `%s` is not a unit"
                            : strpbrk(text, "/.")
                                ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
                            : open > 0 ? "add the missing `)`, or write a product as `* %s`"
                                       : "a product is written `* %s`";
-  const struct nb_foreign_unit *const foreign = is ? NULL : nb_unit_foreign(text, NULL);
+  const struct nb_foreign_unit *const foreign = nb_unit_foreign(text, NULL);
   const int head = (int)nb_unit_before_operator(text);
   snprintf(hint, sizeof hint, form, text);
   if (head)
@@ -221,7 +221,7 @@ static struct nb_unit unit_after(struct parser *p) {
   const bool is = nb_unit_read(&unit, text);
   if (is && !glued && (!p->reader->unitless || nb_unit_without_dimension(text)))
     return p->at += length, unit;
-  wrong_unit(p, length, text, is, glued);
+  wrong_unit(p, length, text, is);
   return (struct nb_unit){.factor = 1};
 }
 

@@ -407,7 +407,7 @@ static bool has_operator(const struct nb_reader *reader, const char *text) {
   double value;
   if (sign && NB_FIND(reader->bindings, reader->binding_count, text + 1) >= 0)
     return false; /* `-R` lacks the `$` of a name */
-  if (strpbrk(text, "=\""))
+  if (strchr(text, '='))
     return false;
   const size_t length = sign + nb_number_length(text + sign); /* `1e-6x` has no operator */
   const bool operators = strchr("*^", text[0]) || strcmp(text, "/") == 0 || (sign && (!text[1] || strchr(text, '('))) ||

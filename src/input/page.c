@@ -190,7 +190,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
 
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind) {
   for (size_t i = 1; i < page->line_count; i++)
-    if (page->kind_of[i] == 1 + kind && page->kind_of[i - 1] == 0)
+    if (page->kind_of[i] == 1 + kind)
       return i; /* the number, counted from 1, of the line before lines[i] */
   return 0;
 }

@@ -109,7 +109,7 @@ static bool find_name(char name[NB_NAME_SIZE], const struct nb_page *page, size_
 static bool stands_for_value(const char *word, const char *before) {
   const size_t capitals = strspn(word, "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
   return capitals > 0 && !word[capitals] && !nb_number_length(before) && strcmp(before, "monitor") != 0 &&
-         strcmp(before, "region") != 0 && strcmp(word, "SOURCE") != 0;
+         strcmp(before, "region") != 0;
 }
 
 /* Appends a line of `length` bytes, with the names of the page; false, and nothing is appended, if another word stands
