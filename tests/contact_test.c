@@ -156,6 +156,11 @@ static void unreachable_forces_stop_the_run(void) {
               "rock\nnormal linear\nshear linear\nsegment press normal to 8\nsegment slide shear to -9 in 3 steps\n",
               "segment `slide` (line 8), step 2 of 3: a shear force of -6 cannot be reached; the force is -5; friction "
               "times the normal force, plus cohesion, is 5"); /* 0.25 x 8 + 3 */
+  expect_stop(
+      "path\nunits none\nmaterial rock kn 100 ks 80 friction 0.25\ncontact disc 1 rock with disc 1 rock\nnormal "
+      "linear\nshear linear\nsegment press normal to 8\nsegment slide normal to 4 shear to 2 in 2 steps\n",
+      "segment `slide` (line 8), step 2 of 2: a shear force of 2 cannot be reached; the force is 1; friction "
+      "times the normal force, plus cohesion, is 1"); /* 0.25 x 4, with the normal force of this step */
 }
 
 /* A shear force at the friction limit that the page gives in decimal, 0.3 N, may exceed the product of the program by
@@ -174,13 +179,14 @@ static void a_limit_with_rounding_is_reached(void) {
     }
 }
 
-/* A force is sought within twice the smaller radius, here 2, and needs the displacement 5 on a spring of stiffness
- * 1. */
+/* A force is sought within twice the smaller radius, here 2, of the present displacement, which is 0.1. The stiffness is
+ * 1, so a force needs a displacement of the same number. */
 static void forces_are_sought_within_the_smaller_diameter(void) {
   static const struct {
-    const char *radii[2];
+    const char *radii[2], *force;
     bool reached;
-  } rows[] = {{{"10", "1"}, false}, {{"1", "10"}, false}, {{"10", "10"}, true}};
+  } rows[] = {{{"10", "1"}, "5", false},  {{"1", "10"}, "5", false},   {{"10", "10"}, "5", true},
+              {{"1", "10"}, "1.9", true}, {{"1", "10"}, "2.2", false}, {{"10", "1"}, "1.9", true}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;
@@ -188,11 +194,11 @@ static void forces_are_sought_within_the_smaller_diameter(void) {
     struct nb_error error = {0};
     words_add(&page,
               "path\nunits none\nmaterial a kn 1\ncontact disc %s a with disc %s a\nnormal linear\nrecord normal\n"
-              "segment a normal to 5 in 1 step\n",
-              rows[k].radii[0], rows[k].radii[1]);
+              "segment a normal to 0.1 in 1 step\nsegment b normal to %s in 1 step\n",
+              rows[k].radii[0], rows[k].radii[1], rows[k].force);
     written_scene(&it, &page);
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), rows[k].reached ? NB_OK : NB_BROKEN);
-    CU_ASSERT(rows[k].reached || strstr(error.text, "a normal force of 5 cannot be reached"));
+    CU_ASSERT(rows[k].reached || strstr(error.text, "cannot be reached; the force is "));
     done(&result, &it);
   }
 }

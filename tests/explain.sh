@@ -439,6 +439,16 @@ done
 printf '```scene\nstart springs stage two\nrecord time\nstage on\nuntil stage.time above 1 s every 3 cycles at most 50 cycles\n```\n' >unknown.md
 "$nineball" explain unknown.md --states none >out 2>"$why" && grep -qx '  on, 3 to 50 cycles: the condition on line 5 decides' out
 result $? 'the length of a stage whose state does not exist yet'
+# A page whose step has no limit cannot be run, so no model shows what follows; `check` says why.
+printf '```scene\nunits none\nmaterial m density 1\ndisc 0 0 radius 1 m\nstep 0.1 of single-contact\nrecord time\nstage a\ncycles 1\n```\n' >endless.md
+printf '```scene\nstart endless stage a\nrecord time\nstage b\ncycles 1\n```\n' >beyond.md
+"$nineball" explain beyond.md --states none >out 2>"$why" && test ! -s "$why" && test "$(wc -l <out)" -eq 5 && tail -n 1 out | grep -q 'check beyond.md` computes that state'
+result $? 'a page that starts from one that cannot be run'
+# Damping that the page before has ended is not used.
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\nstep 0.1\nrecord time\nstage a\ndamping ratio 0.1\ndamping mass 1\ncycles 1\nstage b\ndamping none\ncycles 1\n```\n' >damped.md
+printf '```scene\nstart damped stage b\nrecord time\nstage c\ncycles 1\n```\n' >undamped.md
+"$nineball" explain undamped.md --states none >out 2>"$why" && sed -n '/^not used/{n;p;}' out | grep -q ', dashpots, mass-proportional damping, '
+result $? 'damping that only the page before uses'
 # Elastic spheres: the duration of a collision depends on the velocities, the Rayleigh step of `spheres` does not.
 for step in '0.25 of rayleigh:  5.51415e-06 s' '9 per collision:  follows from that state'; do
   printf '```scene\nstart spheres stage three\nstep %s\nrecord time\nstage on\ncycles 1\n```\n' "${step%%:*}" >unknown.md
@@ -614,7 +624,7 @@ stage     b
   until   cell.strain.xy below -10 % at most 9 cycles
 stage     c
   cell    strain 0 1/s 0 1/s c12 0.5 1/s
-  until   cell.strain.xy above -10 % and A.strain.xy above 20 % at most 9 cycles
+  until   cell.strain.xy above -10 % and A.strain.xy above 20 % and A.stress.xy above 2 Pa at most 9 cycles
 stage     d
   cell    strain 0 1/s 0 1/s c21 -0.5 1/s
   until   cell.strain.xy below 10 % and A.strain.xy below 0 and A.strain.xy below -20 % at most 9 cycles
@@ -636,7 +646,7 @@ stages
     line 14: `cell.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of -10 % within this stage write `cycles 34`
   c, 1 to 9 cycles: the condition on line 17 decides
     line 16: cell strain 0 1/s 0 1/s c12 0.5 1/s
-    line 17: until cell.strain.xy above -10 % and A.strain.xy above 20 % at most 9 cycles
+    line 17: until cell.strain.xy above -10 % and A.strain.xy above 20 % and A.stress.xy above 2 Pa at most 9 cycles
     line 16: strain rate xx 0, c12 0.5, c21 0, yy 0 1/s: simple shear, the engineering shear rate is 0.5 1/s; xy of a stress becomes negative
     line 17: `A.strain.xy` is the component of the tensor, half the engineering shear strain; for an engineering shear strain of 20 % within this stage write `stage.time above 0.4 s`
   d, 1 to 9 cycles: the condition on line 20 decides
@@ -726,6 +736,11 @@ periodic cell -9 -9 to 19 19||||116+17|24+8+20+16|3|periodic cell,
 box -9 -9 to 19 19 m||servo xx 1 on box through box at most 1||116+17|24+24+20+4|5|servo, 
 region A all||||116|24+8+20|3|, regions
 END
+for balances in 'work.balance:work' 'energy.balance:energy' 'energy.balance work.balance:work and energy'; do
+  printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord %s\nstage a\ncycles 1\n```\n' "${balances%:*}" >balances.md
+  "$nineball" explain balances.md >out 2>"$why" && grep -qx "  ${balances#*:}, updated every cycle by one thread" out
+  result $? "the balances of ${balances#*:}"
+done
 
 # Reading a page counts: this filling takes most of the time, because most of its attempts find no space.
 for attempts in 1 300000; do
@@ -910,7 +925,7 @@ printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 9e12 0 radius 1 m\
 result $? 'two warnings of the start'
 
 sed 's/^segment .*/segment slide shear to 9 N hold normal in 9 steps/' wall.md >slides.md
-"$nineball" explain slides.md >out 2>"$why" && sed -n '/^cost/,$p' out | grep -qx '  the time of a step cannot be measured: segment `slide` (line 7), step 1 of 9: a shear force of 1 N cannot be reached; .*'
+"$nineball" explain slides.md >out 2>"$why" && sed -n '/^cost/,$p' out | grep -qx '  the time of a step cannot be measured: segment `slide` (line 7), step 1 of 9: a shear force of 1 N cannot be reached; .*' && ! grep 'will be aborted' out
 result $? 'a contact test that fails in its first step'
 
 # The trial was aborted before it shortened a stage, so the run will be, too. A trial that shortened one says nothing.

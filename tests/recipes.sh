@@ -124,6 +124,10 @@ EOF
 "$nineball" figure apart.md -o apart --trust >"$why" 2>&1 &&
   test "$(grep 'draws no contact network' "$why")" = 'apart.md:22: warning: the figure draws no contact network: at the end of stage `look` nothing touches'
 result $? "a contact network without contacts: a warning"
+sed 's/^stage    look$/stage    look-at/; s/look_/look_at_/' apart.md >dash.md # a name of gnuplot has `_` for `-`
+"$nineball" figure dash.md -o apart --trust >"$why" 2>&1 &&
+  test "$(grep 'draws no contact network' "$why")" = 'dash.md:22: warning: the figure draws no contact network: at the end of stage `look-at` nothing touches'
+result $? "a contact network without contacts in a stage whose name has a dash"
 sed "s/^disc     4 0/sweep x 4 5 6\n&/; s/^disc     4/disc     \$x/; s/_particles'/_particles_1'/; s/_contacts'/_contacts_1'/" apart.md >apart-sweep.md
 "$nineball" figure apart-sweep.md -o apart --trust >"$why" 2>&1 &&
   test "$(grep -cF 'apart-sweep.md:23: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why")" = 1

@@ -154,7 +154,7 @@ static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene
 static void warn_of_box(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column,
                         struct removal it) {
   const bool before = (size_t)it.stage < scene->start.stages;
-  nb_warn(warnings, before ? scene->start.line : it.line,
+  nb_warn(warnings, it.line, /* in an earlier page it is the line of `start` */
           "`%s` is computed from stage `%s` on as if wall `%s` were still in its place, without forces on it: %s "
           "removes it",
           column, scene->stages[it.stage].name, it.wall, before ? "that stage" : "this line");
