@@ -298,6 +298,8 @@ static void digits_of_errors(void) {
   planted_one("A.x within 0.1", "A.x", 0, 1, (double[]){0.151234}, NB_FAIL, "error 0.151, tolerance 0.1");
   planted_one("A.x within 0.1", "A.x", 0, 1, (double[]){0.091234}, NB_PASS, "error 0.0912, tolerance 0.1");
   planted_one("A.x within 0", "A.x", 0, 1, (double[]){0.151234}, NB_FAIL, "error 0.151, tolerance 0");
+  /* two digits of the difference 1, relative to the larger number: 8 digits */
+  planted_one("A.x within 2", "A.x", 100000.54, 1, (double[]){99999.54}, NB_PASS, "99999.54, reference 100000.54");
 }
 
 /* A reference solution may return a value for one stage only, or one that holds in all stages. */

@@ -99,6 +99,12 @@ static void samples(void) {
        "from 1 to 2: mean difference +1, 95 % confidence 1 to 1, mean 5.5"},
   };
   planted_sweeps(list, COUNT(list));
+  struct nb_outcome outcome; /* after an undefined value no difference is computed */
+  planted_page(&outcome, "sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s");
+  planted_runs(&outcome, (double[]){NAN, 10, 1, 11, 2, 12});
+  planted_is(&outcome, NB_FAIL);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, "`A.x` cannot be computed: it is nan at cycle 0");
+  nb_outcome_free(&outcome);
 }
 
 /* The verdict on an expected value over a sample is a note with its percentile among the runs. It fails only if a value
@@ -153,6 +159,7 @@ static void among(void) {
   planted_is(&outcome, NB_NOTE);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
   CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 2 over s [t] (T=2)");
+  planted_says(&outcome, "within the range of 2 runs over s: 1 to 3, mean 2,");
   CU_ASSERT(strstr(outcome.checks[1].message, "outside the range of 2 runs over s: 5 to 7") != NULL);
   CU_ASSERT_EQUAL(outcome.mark_count[NB_NOTE], 2);
   nb_outcome_free(&outcome);

@@ -97,6 +97,7 @@ static void orders(void) {
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 + 1e-9), NB_PASS, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 - 1e-9), NB_FAIL, "computed order 1.5"},
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 + 1e-9), NB_PASS, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 25 %", ERRORS(2.2), NB_PASS, "error 10 %, tolerance 25 %"},
       {"sweep n 1 2 4", "A.x order 2 in n within 0.5", ERRORS(-2), NB_FAIL,
        "; the error falls as `n` grows: write `A.x order -2 in n within 0.5`"},
       {"sweep h 1 2 4", "A.x order -2 in h within 0.5", ERRORS(2), NB_FAIL,
@@ -245,6 +246,11 @@ static void units_of_values(void) {
        "energy.balance max below 1",
        "computed -2.5 J and 1 J; but a residual has both signs: `min` is -2.5 J, check it too",
        {-2.5}},
+      {"", "energy.balance max below 1", "computed 2.5 J and 1 J", {2.5}}, /* a failed check needs no note */
+      {"", /* a fraction that is too small for a percentage has no unit; A.y is 1 */
+       "A.x within 1e-9 of A.y",
+       "computed 5e-10 m, reference 0 m, error 5e-10, tolerance 1e-09 of A.y",
+       {5e-10}},
       {"sweep v 1 2", "A.x decreases with v", "computed 1 m at v = 1, 2 m at 2", {1, 2}},
       {"sweep v 1 2",
        "A.x constant with v within 1",
