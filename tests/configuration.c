@@ -207,7 +207,7 @@ static void rolls(void) {
 }
 
 /* A disc that bounces: during its second impact `slid` is the sliding distance of this impact alone, without that of
- * the first one. */
+ * the first one. The lines of the lattice compare with the stage that each snapshot names. */
 static void comes_back(void) {
   struct words page = {0};
   struct written it;
@@ -218,7 +218,7 @@ static void comes_back(void) {
             "w\nstep 1e-4\nrecord time C.overlap C.sliding\nstage down\nuntil C.overlap above 1e-6 at most 100000 "
             "cycles\nsnapshot from down\nstage up\nuntil C.overlap below 1e-9 at most 100000 cycles\nstage "
             "down2\nuntil C.overlap above 1e-6 at most 100000 cycles\nstage in\ncycles 150\nsnapshot from down\n"
-            "stage in2\ncycles 1\nsnapshot from down2\n");
+            "stage in2\ncycles 1\nsnapshot from down2\nstage in3\ncycles 1\nsnapshot from in2\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const double since_down = written_cell(&result.snapshots[1].contacts, 0, "slid");
@@ -227,6 +227,8 @@ static void comes_back(void) {
   CU_ASSERT(since_apart > since_down && since_apart < since_down + 1e-3);
   CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 1);
   CU_ASSERT_EQUAL(written_cell(&result.snapshots[1].lattice, 0, "kind"), 1);
+  CU_ASSERT_EQUAL_FATAL(result.snapshots[3].lattice.row_count, 1);
+  CU_ASSERT_EQUAL(written_cell(&result.snapshots[3].lattice, 0, "kind"), 0); /* it touched when `in2` began */
   nb_result_free(&result);
   written_free(&it);
 }

@@ -4,6 +4,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../src/measure/step.h"
@@ -71,20 +72,25 @@ static void the_step_of_steel(void) {
   written_free(&it);
 }
 
-/* Different spheres: the smallest one need not have the shortest step. The mean step is that of a sphere with the mean
- * R, rho, G and nu. Fixed and rigid particles do not count. */
+/* Different spheres, in either order: the smallest one need not have the shortest step. The mean step is that of a
+ * sphere with the mean R, rho, G and nu. Fixed and rigid particles do not count. */
 static void different_spheres(void) {
-  double steps[4];
-  steps_of(
-      "units none\nmaterial a density 2 young 3 poisson 0\nmaterial b density 1 young 30 poisson 0.5\nmaterial r "
-      "density 1 rigid\nsphere 9 0 radius 1 b\nsphere 0 0 radius 0.5 a\nsphere 19 0 radius 0.01 a fixed\nsphere 30 0 "
-      "radius 0.01 r\n",
-      steps);
-  const double shortest = pi * sqrt(1 / 10.), mean = pi * 0.75 * sqrt(1.5 / 5.75);
-  CU_ASSERT(fabs(steps[0] * nb_rayleigh_root(0.5) / shortest - 1) < 1e-14);
-  CU_ASSERT(fabs(steps[1] * nb_rayleigh_root(0.25) / mean - 1) < 1e-14);
-  CU_ASSERT(fabs(steps[2] * nb_rayleigh_fit(0.5) / shortest - 1) < 1e-14);
-  CU_ASSERT(fabs(steps[3] * nb_rayleigh_fit(0.25) / mean - 1) < 1e-14);
+  static const char *const pairs[] = {"sphere 9 0 radius 1 b\nsphere 0 0 radius 0.5 a",
+                                      "sphere 0 0 radius 0.5 a\nsphere 9 0 radius 1 b"};
+  for (int k = 0; k < 2; k++) {
+    double steps[4];
+    char statements[512];
+    snprintf(statements, sizeof statements,
+             "units none\nmaterial a density 2 young 3 poisson 0\nmaterial b density 1 young 30 poisson 0.5\n"
+             "material r density 1 rigid\n%s\nsphere 19 0 radius 0.01 a fixed\nsphere 30 0 radius 0.01 r\n",
+             pairs[k]);
+    steps_of(statements, steps);
+    const double shortest = pi * sqrt(1 / 10.), mean = pi * 0.75 * sqrt(1.5 / 5.75);
+    CU_ASSERT(fabs(steps[0] * nb_rayleigh_root(0.5) / shortest - 1) < 1e-14);
+    CU_ASSERT(fabs(steps[1] * nb_rayleigh_root(0.25) / mean - 1) < 1e-14);
+    CU_ASSERT(fabs(steps[2] * nb_rayleigh_fit(0.5) / shortest - 1) < 1e-14);
+    CU_ASSERT(fabs(steps[3] * nb_rayleigh_fit(0.25) / mean - 1) < 1e-14);
+  }
 }
 
 /* None of the four steps exists without a free particle that has elastic moduli. */

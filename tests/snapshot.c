@@ -149,7 +149,7 @@ static void rings(void) {
 }
 
 /* Six discs on a boundary around a seventh one, in scrambled order: the table of the boundary has the six,
- * counterclockwise, at their places. A scene without a boundary has no such table. */
+ * counterclockwise, at their places, whatever the storage order. A scene without a boundary has no such table. */
 static void the_boundary_is_listed_counterclockwise(void) {
   static const int sixths[] = {4, 1, 0, 5, 3, 2};
   struct words page = {0};
@@ -160,7 +160,7 @@ static void the_boundary_is_listed_counterclockwise(void) {
     words_add(&page, "disc %.17g %.17g radius 1 m\n", 2 * cos(sixths[k] * pi / 3), 2 * sin(sixths[k] * pi / 3));
   words_add(&page, "boundary circle 0 0 radius 2\nstep 0.1\nrecord time\nstage s\ncycles 1\nsnapshot\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = true});
   const struct nb_table *table = &result.snapshots[0].boundary;
   CU_ASSERT_EQUAL_FATAL(table->row_count, 6);
   for (size_t k = 0; k < 6; k++) {
@@ -174,6 +174,24 @@ static void the_boundary_is_listed_counterclockwise(void) {
   written_free(&it);
   run(&result, &it);
   CU_ASSERT_PTR_NULL(result.snapshots[0].boundary.names);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Particles of a boundary in the same direction are listed in the order of their numbers, whatever the storage order. */
+static void the_boundary_in_one_direction(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\n");
+  for (int k = 0; k < 8; k++)
+    words_add(&page, "disc %d 0 radius 1 m\n", 20 - 2 * k);
+  words_add(&page, "boundary circle 0 0 radius 2\nstep 0.1\nrecord time\nstage s\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = true});
+  CU_ASSERT_EQUAL_FATAL(result.snapshots[0].boundary.row_count, 8);
+  for (size_t k = 0; k < 8; k++)
+    CU_ASSERT_EQUAL(written_cell(&result.snapshots[0].boundary, k, "particle"), (double)k + 1);
   nb_result_free(&result);
   written_free(&it);
 }
@@ -303,6 +321,7 @@ void suite_snapshot(void) {
   CU_add_test(suite, "the columns are the quantities", columns_are_the_quantities);
   CU_add_test(suite, "porosity ring by ring", rings);
   CU_add_test(suite, "the boundary is listed counterclockwise", the_boundary_is_listed_counterclockwise);
+  CU_add_test(suite, "the boundary in one direction", the_boundary_in_one_direction);
   CU_add_test(suite, "rings in a cell", rings_in_a_cell);
   CU_add_test(suite, "contacts in a cell", contacts_in_a_cell);
   CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);
