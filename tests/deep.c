@@ -70,6 +70,7 @@ static void walls_separate(void) {
       {"damping stiffness 0.1\ndamping walls stiffness 0.3\n", "", {2.4, 2.4}, {0.8, 0.8}},
       {"damping walls stiffness 0.3\ndamping stiffness 0.1\n", "damping stiffness 0.2\n", {2.4, 2.4}, {0.8, 1.6}},
       {"damping walls stiffness 0.3\n", "damping none\n", {2.4, 0}, {0, 0}},
+      {"damping walls stiffness 0.3\n", "damping mass 0\n", {2.4, 2.4}, {0, 0}}, /* `mass` is no damping of contacts */
       {"damping stiffness 0.1\ndamping walls none\n", "damping walls stiffness 0.4\n", {0, 3.2}, {0.8, 0.8}},
       {"damping none\n", "damping walls ratio 0.5\n", {0, 2.8284271247461903}, {0, 0}},
       {"damping walls none\n", "", {0, 0}, {0, 0}},

@@ -498,6 +498,7 @@ static void conditions_on_another_stress_than_the_servo(void) {
       {"0", "linear", "", "walls", "box.stress.mean", ""},
       {"0.5", "linear", "", "walls", "box.width", ""},
       {"0.5", "linear", "", "M", "box.stress.xx", ""},
+      {"0.5", "linear", "", "M", "walls.stress.xx", ""},
       {"0.5", "linear", "", "walls", "M.stress.xx",
        "11: the servo of stage `a` controls `walls.stress`, and this condition is on `M.stress.xx`: with friction at "
        "the "
@@ -690,6 +691,8 @@ static void conditions_on_strains_of_the_other_sign(void) {
        "extends in y"},
       {"wall v -9 21 to 9 21 m velocity 0 -1\nwall w 2.5 -9 to 2.5 99 m", "wall w velocity -1 0",
        "M.strain.yy above 0.25", "compresses in y"},
+      {"wall v -9 21 to 9 21 m velocity 0 -1\nwall w 2.5 -9 to 2.5 99 m", "wall w velocity 0 1",
+       "M.strain.yy above 0.25", "compresses in y"}, /* a vertical wall does not extend in y */
       {"wall v -9 21 to 9 21 m", "cycles 1\nstage b\nwall v velocity 0 -1\ncycles 1\nstage c", "M.strain.yy above 0.25",
        ": stage `c` compresses in y", "c"}, /* the motion of an earlier stage goes on */
       {"wall v -9 21 to 9 21 m velocity 0 -1", "zero velocities",
@@ -893,6 +896,9 @@ static void gravity_away_from_walls(void) {
       {"wall w -9 9 to 9 9 m about 0 -5", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
       {"wall w -9 0 to 9 0 m about 0 5", "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
       {"wall w 20 -9 to 20 9 m about -30 0", "gravity 1 1", "disc 0 2 radius 1 m", "", false},
+      /* The first end of the wall, or the top of the fixed disc, is as high as the free disc or higher. */
+      {"wall w 3 20 to 3 -9 m", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
+      {"disc 0 -5 radius 7 m fixed", "gravity 0 9.81", "disc 20 2 radius 1 m", "", false},
       /* The disc is above the box. Something else moves walls or particles, or places particles, or no particle is free. */
       {"box -9 -9 to 9 9 m", "gravity 0 9.81", "disc 0 20 radius 1 m", "", true},
       {"box -9 -9 to 9 9 m", "gravity 0 9.81", "disc 0 20 radius 1 m", "box strain 0 1", false},

@@ -327,6 +327,8 @@ static void warnings_of_ends_propose(void) {
        "add a condition such as `and M.stress.yy below -9.9`"},
       {"servo xy 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
        "add a condition such as `and cell.stress.xy above 9.9`"},
+      {"servo xy -10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+       "add a condition such as `and cell.stress.xy below -9.9`"}, /* a shear stress of either sign is no tension */
       {"until unbalanced.max below 1", "add a condition such as `and contacts above 0`"},
       {"until cell.strain.yy below -0.01",
        "; this strain counts from time 0, `stage.time` from the start of the stage"},

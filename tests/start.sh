@@ -286,6 +286,9 @@ printf '```scene\nunits none\nmaterial m density (1/pi) kn 0.5\ndisc 0 0 radius 
 printf '```scene\nunits none\nstart lone stage a\nstep 40 per collision\nrecord time\nstage b\ncycles 8\n```\n' >"$pages/collision.md"
 "$nineball" explain "$pages/collision.md" --states "$states" >"$work/said" && sed -n '/^step$/{n;p}' "$work/said" | grep -qxF '  0.0785398'
 result $? 'explain shows the step of a collision of linear springs before the state exists'
+printf '```scene\nstart lone stage a\nrecord time\nstage b\ncycles 8\n```\n' >"$pages/kept.md"
+"$nineball" explain "$pages/kept.md" --set refine=2 --states "$states" >"$work/said" 2>&1 && sed -n '/^step$/{n;p}' "$work/said" | grep -qxF '  0.05'
+result $? '--set refine=2 halves a step in seconds that the page keeps from the other one'
 
 # A page with `impact`, a second page that starts from it, and a third page that starts from the second; each runs with and without
 # saved states.

@@ -649,6 +649,7 @@ static void warnings_of_a_law_without_micro_slip(void) {
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\nmaterial last density 1 young 1", "", true},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\ndamping ratio 0.1", "", false},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\ngravity 0 -1", "", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\ndamping ratio 0.1", "damping none", true},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "damping mass 1", false},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1", false},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1\ncycles 1\nstage t", false},

@@ -38,7 +38,7 @@ NB_APPLY(apply_gravity) {
   gravity->ramp = reading->ramping, gravity->line = (int)reader->line;
 }
 
-/* The uniform gravity at the start of the scene; NULL: none, or gravity that changes later. */
+/* The gravity at the start of the scene; NULL: none, or gravity that changes later. */
 static const struct nb_gravity *only_gravity(const struct nb_scene *scene) {
   const struct nb_gravity *found = scene->gravity.line ? &scene->gravity : NULL;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -47,7 +47,7 @@ static const struct nb_gravity *only_gravity(const struct nb_scene *scene) {
       return NULL;
     found = it->line ? it : found;
   }
-  return found && found->central == 0 ? found : NULL;
+  return found;
 }
 
 /* True if no stage moves walls or particles. */

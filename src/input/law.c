@@ -302,9 +302,10 @@ static bool has_tangential_segment(const struct nb_scene *scene) {
   return false;
 }
 
-/* True if the page gives particles a velocity or a spin, and there is neither damping nor gravity. */
+/* True if the page gives particles a velocity or a spin, and no stage has damping or gravity. `impact` has set the
+ * velocity of its particle. */
 static bool is_free_collision(const struct nb_scene *scene) {
-  bool moving = scene->impact.line > 0, undisturbed = nb_damping_none(&scene->damping) && !scene->gravity.line;
+  bool moving = false, undisturbed = !scene->gravity.line;
   for (size_t k = 0; k < scene->particle_count && !moving; k++)
     moving = scene->particles[k].vx != 0 || scene->particles[k].vy != 0 || scene->particles[k].spin != 0;
   for (size_t s = 0; s < scene->stage_count; s++)
