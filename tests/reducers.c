@@ -238,6 +238,7 @@ static void not_finite(void) {
   planted_one("A.vx expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){1e-310}, NB_FAIL,
               "computed -4 and 1e-310: their ratio is not a finite number");
   planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){-INFINITY, 0, 0}, NB_FAIL, "it is -inf at cycle 0");
+  planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){0, 0, NAN}, NB_FAIL, "it is nan at cycle 20");
   struct nb_outcome outcome;
   planted_page(&outcome, "", "A.x below 1");
   planted_rows(&outcome, 0, 1, (double[]){NAN});

@@ -459,6 +459,12 @@ static void one_sign_of_a_residual(void) {
     CU_ASSERT_EQUAL(noted, rows[k].noted);
     nb_outcome_free(&outcome);
   }
+  struct nb_outcome outcome; /* the check of the smallest value may come first */
+  planted_page(&outcome, "", "energy.balance min in one within 9\nenergy.balance max in one within 1");
+  planted_rows(&outcome, 0, 3, (double[]){-3, -2, 0});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT(strstr(outcome.checks[1].message, "both signs") == NULL);
+  nb_outcome_free(&outcome);
   /* the note has the other extreme value; a value larger by a thousandth would have other digits */
   planted_one("energy.balance max in one below 1", NULL, 0, 6, (double[6]){-2.4945, -2, 0.5}, NB_PASS,
               "computed 0.5 and 1; but a residual has both signs: `min` is -2.49, check it too");

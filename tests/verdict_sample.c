@@ -104,6 +104,7 @@ static void samples(void) {
   planted_runs(&outcome, (double[]){NAN, 10, 1, 11, 2, 12});
   planted_is(&outcome, NB_FAIL);
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, "`A.x` cannot be computed: it is nan at cycle 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x increases with T over s"); /* about all values of T */
   nb_outcome_free(&outcome);
 }
 

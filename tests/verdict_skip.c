@@ -22,6 +22,7 @@ static void skipped(void) {
       {"sweep v 1", "A.x expected 1 over v [t]", {1}, NB_SKIP, "`v` has one value only"},
       {"sweep T 1 2\nsweep s 1", "A.x increases with T over s", {1, 2}, NB_SKIP, "`s` has one value only"},
       {"sweep T 1\nsweep s 1 2", "A.x increases with T over s", {1, 2}, NB_SKIP, "`T` has one value only"},
+      {"sweep T 1\nsweep s 1", "A.x increases with T over s", {1}, NB_SKIP, "`T` has one value only"},
       {"sweep w 1 2 3\nsweep v 1", "A.x increases with v", {1, 2, 3}, NB_SKIP, "`v` has one value only"},
   };
   planted_sweeps(list, COUNT(list));
@@ -44,6 +45,11 @@ static void skipped_in_part(void) {
   planted_is(&outcome, NB_PASS);
   CU_ASSERT(outcome.check_count == 2 && outcome.checks[1].mark == NB_SKIP);
   CU_ASSERT_EQUAL(outcome.checks[1].line, outcome.checks[0].line);
+  nb_outcome_free(&outcome);
+  planted_page(&outcome, "sweep s 1 2\nsweep v with w  1 5  $s 6", "A.x increases with v"); /* first skipped */
+  planted_runs(&outcome, (double[]){3, 3, 1, 2});
+  planted_is(&outcome, NB_SKIP);
+  CU_ASSERT(outcome.check_count == 2 && outcome.checks[1].mark == NB_PASS);
   nb_outcome_free(&outcome);
 }
 

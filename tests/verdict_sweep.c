@@ -57,6 +57,7 @@ static void constant(void) {
       {"sweep v 1 2 3", "A.x constant with v within 1", {-1, -1.5, -2}, NB_PASS, ""},
       {"sweep v 1 2 3", "A.x constant with v within 1", {-1, -1.5, -2 - NEXT}, NB_FAIL, ""},
       {"sweep v 1 2 3", "A.x constant with v within 0", {7, 7, 7}, NB_PASS, ""},
+      {"sweep v b a", "A.x constant with v within 0", {7, 8}, NB_FAIL, "computed 7 at v = b, 8 at a"},
       {"sweep v 1 2 3", "A.x constant with v within 0", {7, 7 + NEXT, 7}, NB_FAIL, ""},
       {"sweep v 1 2 3",
        "A.x constant with v within 50 %",
@@ -102,6 +103,7 @@ static void orders(void) {
        "; the error falls as `n` grows: write `A.x order -2 in n within 0.5`"},
       {"sweep h 1 2 4", "A.x order -2 in h within 0.5", ERRORS(2), NB_FAIL,
        "; the error grows as `h` grows: write `A.x order 2 in h within 0.5`"},
+      {"sweep h 1 2 4", "A.x order -1 in h within 0.5", ERRORS(2), NB_FAIL, "write `A.x order 1 in h within 0.5`"},
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
       {"sweep h 1 2 4", "A.x order 0 in h within 0.5", ERRORS(1), NB_FAIL, "; a contact that begins or ends between"},
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
