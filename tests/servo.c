@@ -357,8 +357,8 @@ static void servo_through_a_cell(void) {
   struct written it;
   words_add(&page,
             "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nlattice discs 6 by 6 m radius 1 from 1 1\n"
-            "periodic cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle\nstage s\n"
-            "cell strain %g per cycle %g per cycle\n"
+            "periodic cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle "
+            "cell.strain.volumetric\nstage s\ncell strain %g per cycle %g per cycle\n"
             "servo mean 5 on cell through cell at most 1e-4 per cycle every 4 cycles\ncycles 1500\n",
             shear, -shear);
   written_scene(&it, &page);
@@ -370,6 +370,7 @@ static void servo_through_a_cell(void) {
     const double px = 1000 * (2 - x / 6) * (x / 6) / (x * y / 36), py = 1000 * (2 - y / 6) * (y / 6) / (x * y / 36);
     CU_ASSERT_DOUBLE_EQUAL(row[0], x, 1e-11);
     CU_ASSERT_DOUBLE_EQUAL(row[1], y, 1e-11);
+    CU_ASSERT_DOUBLE_EQUAL(row[5], x * y / 144 - 1, 1e-12);
     if (n > 0) { /* no stress before the first contact */
       CU_ASSERT_DOUBLE_EQUAL(row[2], px, 1e-8);
       CU_ASSERT_DOUBLE_EQUAL(row[3], py, 1e-8);
@@ -390,6 +391,26 @@ static void servo_through_a_cell(void) {
   CU_ASSERT(limited > 0 && limited < 300);
   CU_ASSERT_DOUBLE_EQUAL((written_last(&result, "cell.stress.xx") + written_last(&result, "cell.stress.yy")) / 2, 5,
                          0.025);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* A servo of xx and yy does not change the shear, although the cell has a shear stress: its side along x stays parallel
+ * to x. */
+static void a_servo_without_shear(void) {
+  struct nb_result result;
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nlattice discs 6 by 6 m radius 1.01 spacing 2 "
+            "from 1 1\nperiodic cell 0 0 to 12 12\nrecord cell.yx cell.xx cell.stress.xy\nstage shear\n"
+            "cell strain 0 per cycle 0 per cycle c12 1e-4 per cycle\ncycles 100\nstage press\ncell strain 0 0\n"
+            "servo xx 30 yy 30 on cell through cell at most 1e-4 per cycle\ncycles 100\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT(fabs(written_last(&result, "cell.stress.xy")) > 0.1);
+  CU_ASSERT(written_last(&result, "cell.xx") < 11.99);
+  CU_ASSERT_EQUAL(written_last(&result, "cell.yx"), 0);
   nb_result_free(&result);
   written_free(&it);
 }
@@ -648,6 +669,7 @@ void suite_servo(void) {
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);
   CU_add_test(suite, "servo through a cell", servo_through_a_cell);
+  CU_add_test(suite, "a servo without shear", a_servo_without_shear);
   CU_add_test(suite, "a servo on a region controls the stress of the region", stress_of_a_region);
   CU_add_test(suite, "servo through boundary affine", servo_through_boundary_affine);
   CU_add_test(suite, "the particles inside have the added rate", the_particles_inside_have_the_added_rate);

@@ -170,6 +170,8 @@ static void the_boundary_is_listed_counterclockwise(void) {
     CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "y"), 2 * sin(sixths[number - 2] * pi / 3), 1e-14);
     CU_ASSERT_EQUAL(sixths[(size_t)written_cell(table, next, "particle") - 2], (sixths[number - 2] + 1) % 6);
   }
+  for (size_t k = 0; k < 7; k++) /* forces do not move the particles of a held boundary, as if they were fixed */
+    CU_ASSERT_EQUAL(written_cell(&result.snapshots[0].particles, k, "fixed"), k > 0);
   nb_result_free(&result);
   written_free(&it);
   run(&result, &it);
@@ -178,7 +180,8 @@ static void the_boundary_is_listed_counterclockwise(void) {
   written_free(&it);
 }
 
-/* Particles of a boundary in the same direction are listed in the order of their numbers, whatever the storage order. */
+/* Particles of a boundary in the same direction are listed in the order of their numbers, whatever the storage order. A
+ * later circle defines the boundary again, and `boundary none` ends it. */
 static void the_boundary_in_one_direction(void) {
   struct words page = {0};
   struct written it;
@@ -186,12 +189,16 @@ static void the_boundary_in_one_direction(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 1\n");
   for (int k = 0; k < 8; k++)
     words_add(&page, "disc %d 0 radius 1 m\n", 20 - 2 * k);
-  words_add(&page, "boundary circle 0 0 radius 2\nstep 0.1\nrecord time\nstage s\ncycles 1\nsnapshot\n");
+  words_add(&page,
+            "boundary circle 0 0 radius 2\nstep 0.1\nrecord time\nstage s\ncycles 1\nsnapshot\n"
+            "stage t\nboundary circle 0 0 radius 11\ncycles 1\nsnapshot\nstage u\nboundary none\ncycles 1\nsnapshot\n");
   written_scene(&it, &page);
   written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = true});
   CU_ASSERT_EQUAL_FATAL(result.snapshots[0].boundary.row_count, 8);
   for (size_t k = 0; k < 8; k++)
     CU_ASSERT_EQUAL(written_cell(&result.snapshots[0].boundary, k, "particle"), (double)k + 1);
+  CU_ASSERT_EQUAL(result.snapshots[1].boundary.row_count, 5); /* from 20 m to 12 m */
+  CU_ASSERT_PTR_NULL(result.snapshots[2].boundary.names);
   nb_result_free(&result);
   written_free(&it);
 }
