@@ -88,6 +88,8 @@ static void blocks(void) {
 static void fences(void) {
   static const char *const rows[][2] = {{"```scene `x`\na\n", "00"},
                                         {"```\tscene\na\n```\nb\n", "0100"},
+                                        {"```scheme\na\n```\n", "000"},
+                                        {"```export\na\n```\n", "000"}, /* two letters from `expect` */
                                         {"- ```expect\n  a\n  ```\nb\n", "0500"},
                                         {"+ ```expect\n  a\n  ```\nb\n", "0500"},
                                         {"* ```expect\n  a\n  ```\nb\n", "0500"},
