@@ -174,6 +174,19 @@ static void product(void) {
   }
 }
 
+/* A sweep with several units is in SI, also if the last value has the unit of the first one. */
+static void units_of_a_sweep(void) {
+  static const char text[] =
+      "sweep r 1 mm 2 cm 3 mm\n" ROCK "disc 0 m 0 m radius $r rock\nstep 1 us\nstage go\ncycles 1\n";
+  static const char *const wanted[] = {"0.001 m", "0.02 m", "0.003 m"};
+  for (size_t run = 0; run < 3; run++) {
+    struct read read = read_scene(text, run, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+    CU_ASSERT_STRING_EQUAL(read.scene.bindings[0].text, wanted[run]);
+    done(&read);
+  }
+}
+
 /* A minus sign before a value that has a sign itself. */
 static void signs_of_values(void) {
   static const char text[] =
@@ -437,6 +450,7 @@ void suite_reader(void) {
   CU_add_test(suite, "line ends of DOS", line_ends);
   CU_add_test(suite, "several sweeps give all combinations of their values", product);
   CU_add_test(suite, "a sweep of several names", tuples);
+  CU_add_test(suite, "a sweep with several units", units_of_a_sweep);
   CU_add_test(suite, "words that are units", words_that_are_units);
   CU_add_test(suite, "a minus before a value with a sign", signs_of_values);
   CU_add_test(suite, "--set replaces values, a law and the step", settings);
