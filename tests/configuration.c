@@ -11,6 +11,9 @@
 #include "suites.h"
 #include "written.h"
 
+/* No table depends on the storage order of the particles. */
+static const struct nb_options shuffled = {.threads = 1, .shuffle = true};
+
 /* Tests a row of the table `lattice`: its particles or wall, the ends of the line, and its kind (-1: lost contact, 0:
  * kept, 1: new). */
 static void line(const struct nb_table *lattice, size_t row, const double wanted[8]) {
@@ -28,12 +31,12 @@ static void goes_over(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\n"
                    "disc 0 0 radius 1 m velocity 1 0\ndisc -1.9 0 radius 1 m fixed\ndisc 5.9 0 radius 1 m fixed\n"
                    "disc 0 9 radius 1 m velocity 1 0\ndisc 0 10.9 radius 1 m velocity 1 0\n"
-                   "disc 20 0.9 radius 1 m velocity 0 1\ndisc 30 4.9 radius 1 m velocity 0 -1\n"
+                   "disc 20 0.9 radius 1 m velocity 0 1 spin 0.5\ndisc 30 4.9 radius 1 m velocity 0 -1\n"
                    "disc 40 0 radius 1 m\ndisc 41.9 0 radius 1 m\nwall w 19 0 to 31 0 m\nskin 0.2\nrecord time\n"
                    "stage a\ncycles 400\nsnapshot from a\nstage b\nremove disc 8\ncycles 1\nsnapshot from a\n"
                    "stage c\ncycles 1\nsnapshot\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   CU_ASSERT(result.searches > 10);
   const struct nb_table *lattice = &result.snapshots[0].lattice, *particles = &result.snapshots[0].particles;
   CU_ASSERT_EQUAL_FATAL(lattice->row_count, 6);
@@ -45,6 +48,7 @@ static void goes_over(void) {
   line(lattice, 5, (double[]){7, 0, 1, 30, 0.9, 30, 0, 1});
   CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 0, "moved_x"), 4, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 5, "moved_y"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 5, "turned"), 0.5 * 4, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 6, "moved_y"), -4, 1e-12);
   CU_ASSERT(written_cell(particles, 1, "moved_x") == 0 && written_cell(particles, 0, "turned") == 0);
   CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* no line to a removed particle */
@@ -110,7 +114,7 @@ static void a_centre_on_a_wall(void) {
                    "wall w -5 0 to 5 0 m\nregion A all\nrecord A.contacts.lost A.fabric.lost.xx A.fabric.lost.yy\n"
                    "stage a\nremove wall w\ncycles 2\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   CU_ASSERT_EQUAL(written_last(&result, "A.contacts.lost"), 1);
   CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.xx"), 0);
   CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.yy"), 0);
@@ -128,7 +132,7 @@ static void since_the_start_or_the_first_stage(void) {
                    "region A all\nregion B all from a\nrecord A.contacts.lost A.fabric.lost.xx B.contacts.lost\n"
                    "stage a\nremove disc 1\ncycles 3\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   CU_ASSERT_EQUAL(written_last(&result, "A.contacts.lost"), 1);
   CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.xx"), 1);
   CU_ASSERT_EQUAL(written_last(&result, "B.contacts.lost"), 0);
@@ -220,7 +224,7 @@ static void comes_back(void) {
             "down2\nuntil C.overlap above 1e-6 at most 100000 cycles\nstage in\ncycles 150\nsnapshot from down\n"
             "stage in2\ncycles 1\nsnapshot from down2\nstage in3\ncycles 1\nsnapshot from in2\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   const double since_down = written_cell(&result.snapshots[1].contacts, 0, "slid");
   const double since_apart = written_cell(&result.snapshots[2].contacts, 0, "slid");
   CU_ASSERT(since_down > 0.05 && since_down < 9 * 152e-4); /* 150 steps of 1e-4 at nearly 9, and the first ones */
@@ -243,7 +247,7 @@ static void no_line_to_a_removed_wall(void) {
                    "wall v -5 0 to 5 0 m\nwall w -5 1.8 to 5 1.8 m\nrecord time\nstage a\ncycles 2\nsnapshot from a\n"
                    "stage b\nremove wall v\ncycles 1\nsnapshot from a\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   CU_ASSERT_EQUAL(result.snapshots[0].lattice.row_count, 2);
   CU_ASSERT_EQUAL(result.snapshots[0].walls.row_count, 2);
   CU_ASSERT_EQUAL_FATAL(result.snapshots[1].lattice.row_count, 1);
@@ -266,7 +270,7 @@ static void no_line_to_a_removed_particle(void) {
               "stage b\nremove disc %d\ncycles 1\nsnapshot from a\n",
               removed);
     written_scene(&it, &page);
-    written_run(&result, &it, NULL);
+    written_run(&result, &it, &shuffled);
     CU_ASSERT_EQUAL_FATAL(result.snapshots[0].lattice.row_count, 1);
     line(&result.snapshots[0].lattice, 0, (double[]){3, 4, 0, 9, 0, 10.9, 0, 0});
     nb_result_free(&result), written_free(&it);
@@ -282,7 +286,7 @@ static void across_the_edge(void) {
                    "disc 0.5 5 radius 1 m\ndisc 8.6 5 radius 1 m velocity 0 -1\ndisc 8.6 2 radius 1 m\n"
                    "record time\nstage a\ncycles 200\nsnapshot from a\n");
   written_scene(&it, &page);
-  written_run(&result, &it, NULL);
+  written_run(&result, &it, &shuffled);
   const struct nb_table *lattice = &result.snapshots[0].lattice;
   CU_ASSERT_EQUAL_FATAL(lattice->row_count, 2);
   line(lattice, 0, (double[]){1, 2, 0, 0.5, 5, -1.4, 3, -1});
