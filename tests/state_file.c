@@ -49,6 +49,15 @@ static void every_length(void) {
     free(cut);
   }
   CU_ASSERT_EQUAL(unseen, 0);
+  char last_line[32]; /* where the checksum is missing or wrong */
+  size_t lines = 0;
+  for (size_t k = 0; k < size; k++)
+    lines += text[k] == '\n';
+  snprintf(last_line, sizeof last_line, "a.state:%zu:1: ", lines);
+  CU_ASSERT(!reads(text, size - 1, &error) && strncmp(error.text, last_line, strlen(last_line)) == 0);
+  text[size - 2] ^= 1;
+  CU_ASSERT(!reads(text, size, &error) && strncmp(error.text, last_line, strlen(last_line)) == 0);
+  text[size - 2] ^= 1;
   char *longer = malloc(size + 1);
   memcpy(longer, text, size), longer[size] = '\n';
   CU_ASSERT(!reads(longer, size + 1, &error));
