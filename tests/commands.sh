@@ -921,9 +921,9 @@ $ --help scene | sed -n '1,12p'
   
     Each section shows the syntax of a statement, what it does, where it may stand, its arguments and
     an example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and
-    `a|b` means a or b. Clauses (a word and its values) may be in any order. In the list of arguments,
-    `without it` gives the default; an argument without default is required, unless `|` in the syntax
-    makes it one of several. `$NAME` stands for the value that a line `let` or `sweep` above gives to
+    `a|b` means a or b. Clauses (a word and its values) may be in any order; only `every N cycles` of
+    `servo` is always the last. In the list of arguments, `without it` gives the default; an argument
+    without default is required, unless `|` in the syntax makes it one of several. `$NAME` stands for
 = 0
 $ --help units | sed -n '1,26p'
     units none|si
