@@ -337,6 +337,27 @@ static void the_width_is_the_smaller_height(void) {
   CU_ASSERT_DOUBLE_EQUAL(nb_wrap_width(&second), 1, 1e-15);
 }
 
+/* Two bodies of radius 2 with an overlap of 0.1 press with 100 x 0.1 = 10 over the distance 3.9 of their centres, in a
+ * volume of 20 x 20 times the thickness, which is 1 for discs and the diameter 4 for spheres. */
+static void the_stress_of_a_cell_has_its_thickness(void) {
+  static const struct {
+    const char *kind;
+    double thickness;
+  } rows[] = {{"disc", 1}, {"sphere", 4}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\n%s 5 5 radius 2 m\n%s 8.9 5 radius 2 m\nperiodic cell 0 0 to "
+              "20 20\nstep 0.001\nrecord cell.stress.xx\nstage s\ncycles 1\n",
+              rows[k].kind, rows[k].kind);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.stress.xx"), 10 * 3.9 / 400 / rows[k].thickness, 1e-14);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
   CU_ADD_TEST(suite, the_width_is_the_smaller_height);
@@ -350,4 +371,5 @@ void suite_cell(void) {
   CU_ADD_TEST(suite, a_reversal_with_another_strain);
   CU_ADD_TEST(suite, regions_across_the_side_of_a_cell);
   CU_ADD_TEST(suite, the_gap_is_that_of_the_nearest_two);
+  CU_ADD_TEST(suite, the_stress_of_a_cell_has_its_thickness);
 }

@@ -467,6 +467,10 @@ static void weight_counts_in_the_balance(void) {
   char text[256];
   snprintf(text, sizeof text, "%sstage a\ncycles 4\n", falls);
   CU_ASSERT_EQUAL(after(text, "unbalanced.max"), INFINITY); /* no contact balances the weight */
+  CU_ASSERT_EQUAL(after("material m density 1\ndisc 0 0 radius 1 m\nstep 0.01\nrecord unbalanced.max\nstage a\ncycles "
+                        "4\n",
+                        "unbalanced.max"),
+                  0); /* no force at all */
 }
 
 /* unbalanced.max is the largest force sum of all particles over the largest force of all contacts, wherever they stand

@@ -144,6 +144,7 @@ static void every_mistake(void) {
        "expected a text shorter than 128 bytes, found `777777777777777777777777777777777777777777777777777777777777`"},
       {"hash 0000000000000000", "hash 000000000000000g", "expected 16 hexadecimal digits, found `000000000000000g`"},
       {"law shear mindlin 0", "law shear glue 0", "expected a law of this program, found `glue`"},
+      {"law shear mindlin 0", "law shear hertz 0", "expected a law of this program, found `hertz`"},
       {"material m ", "material 3m ", "expected the name of a material, found `3m`"},
       {"wall w m ", "wall w! m ", "expected the name of a wall, found `w!`"},
       {"body 1",

@@ -178,6 +178,8 @@ static void fields_at_their_limits(void) {
       {state_plain, "wall",
        "wall w m -0x1p+0 -0x1p+0 -0x1p+0 0x0p+0 -0x1p+0 -0x1p+0 -0x1p+0 -0x1p+0 -0x1p+0 -0x1p+0 -0x1p+0 -0x1p+0 "
        "-0x1p+0"},
+      {state_plain, "shear", "shear -0x1p+0"},
+      {state_ring, "inward", "inward -0x1p+0 -0x1p+0 -0x1p+0"},
   };
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     size_t size;
