@@ -1225,6 +1225,25 @@ static void collisions_between_rows(void) {
   }
 }
 
+/* A stage with `record none` has no rows, so the checks of all stages do not concern it. The disc is below 1 in stage one
+ * only. */
+static void checks_without_the_stage_that_records_no_rows(void) {
+  static const char *const rows[] = {"record none", "record every 1000 cycles"};
+  for (size_t k = 0; k < 2; k++) {
+    struct nb_outcome outcome;
+    char scene[512];
+    snprintf(scene, sizeof scene,
+             "units none\nlet pi1 = 1/pi\nmaterial m density $pi1 kn 1000\nwall w -9 0 to 9 0 m\ndisc 0 1.4 radius 1 m "
+             "velocity 0 -1\nmonitor A disc 1\nstep 0.001\nrecord A.y\nstage one\n%s\ncycles 1000\nstage two\nrecord "
+             "every 5 cycles\ncycles 10",
+             rows[k]);
+    carry_out(&outcome, scene, "A.y min in all above 1", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL(outcome.warnings.count, k);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* The disc of collisions_between_rows, with units. Its least height is 1 - 1000^(-1/2) = 0.96838, and both rows are above
  * 1.39. The values of the warning have the unit of the quantity, although the check is of a ratio. */
 static void units_of_values_between_rows(void) {
@@ -1546,6 +1565,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);
   CU_ADD_TEST(suite, overshoot_of_a_weight);
   CU_add_test(suite, "collisions between two rows", collisions_between_rows);
+  CU_ADD_TEST(suite, checks_without_the_stage_that_records_no_rows);
   CU_ADD_TEST(suite, units_of_values_between_rows);
   CU_ADD_TEST(suite, close_values_between_rows);
   CU_add_test(suite, "many particles in many runs", many_particles);
