@@ -337,7 +337,7 @@ static void the_width_is_the_smaller_height(void) {
   CU_ASSERT_DOUBLE_EQUAL(nb_wrap_width(&second), 1, 1e-15);
 }
 
-/* Two bodies of radius 2 with an overlap of 0.1 press with 100 x 0.1 = 10 over the distance 3.9 of their centres, in a
+/* Two particles of radius 2 with an overlap of 0.1 press with 100 x 0.1 = 10 over the distance 3.9 of their centres, in a
  * volume of 20 x 20 times the thickness, which is 1 for discs and the diameter 4 for spheres. */
 static void the_stress_of_a_cell_has_its_thickness(void) {
   static const struct {
