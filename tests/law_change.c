@@ -193,19 +193,20 @@ static void a_shear_law_ends_anywhere(void) {
 }
 
 /* A normal law that sums increments gets the normal increment from the geometry pass, even if no shear law and no
- * dashpot needs it. */
+ * dashpot needs it. It keeps its sum when a stage changes the shear law alone. */
 static void increments_without_a_shear_law(void) {
-  static const char *const shears[] = {"none", "mindlin"};
-  double force[2];
-  for (int k = 0; k < 2; k++) {
+  static const char *const shears[][2] = {{"none", "none"}, {"mindlin", "mindlin"}, {"none", "mindlin"}};
+  double force[3];
+  for (int k = 0; k < 3; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
     words_add(&page,
               "units none\nmaterial m density 1 young 1000 poisson 0.3 friction 0.5\nnormal hertz_increment\nshear %s\n"
               "sphere 0 0 radius 1 m velocity 0.1 0\nsphere 2.001 0 radius 1 m fixed\n"
-              "monitor C sphere 1 with sphere 2\nrecord C.normal\nstep 0.001\nstage a\ncycles 100\n",
-              shears[k]);
+              "monitor C sphere 1 with sphere 2\nrecord C.normal\nstep 0.001\nstage a\ncycles 50\n"
+              "stage b\nshear %s\ncycles 50\n",
+              shears[k][0], shears[k][1]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     force[k] = written_last(&result, "C.normal");
@@ -214,6 +215,7 @@ static void increments_without_a_shear_law(void) {
   }
   CU_ASSERT(force[0] > 0);
   CU_ASSERT_EQUAL(force[0], force[1]);
+  CU_ASSERT_EQUAL(force[0], force[2]);
 }
 
 /* If a stage changes the law or its number of pieces, contacts begin again without a history. If a stage states the
