@@ -435,9 +435,10 @@ for step in '0.25 of single-contact:  3.54491e-05 s' '0.25 of stable:  follows f
   test "$(cat out)" = "${step#*:}"
   result $? "the step of a page whose state does not exist yet: ${step%%:*}"
 done
-# Without the state a stage with conditions has the cycles from its first test to its last one.
+# Without the state a stage with conditions has the cycles from its first test to its last one, which may be the first, too.
 printf '```scene\nstart springs stage two\nrecord time\nstage on\nuntil stage.time above 1 s every 3 cycles at most 50 cycles\n```\n' >unknown.md
-"$nineball" explain unknown.md --states none >out 2>"$why" && grep -qx '  on, 3 to 50 cycles: the condition on line 5 decides' out
+"$nineball" explain unknown.md --states none >out 2>"$why" && grep -qx '  on, 3 to 50 cycles: the condition on line 5 decides' out &&
+  sed 's/every 3/every 99/' unknown.md >single.md && "$nineball" explain single.md --states none >out 2>"$why" && grep -qx '  on, 50 cycles' out
 result $? 'the length of a stage whose state does not exist yet'
 # A page whose step has no limit cannot be run, so no model shows what follows; `check` says why.
 printf '```scene\nunits none\nmaterial m density 1\ndisc 0 0 radius 1 m\nstep 0.1 of single-contact\nrecord time\nstage a\ncycles 1\n```\n' >endless.md
