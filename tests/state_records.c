@@ -289,6 +289,68 @@ static void the_components_of_a_tensor_have_their_order(void) {
   free(text);
 }
 
+/* Reads the state of a page with another text for a record. */
+static void read_with(struct nb_saved *saved, const char *page, const char *record, const char *by) {
+  size_t size, sealed_size;
+  struct nb_error error;
+  char *text = state_of(page, &size), *end, *at = line_of(text, record, &end);
+  char *other = malloc(size + strlen(by) + 1);
+  sprintf(other, "%.*s%s%s", (int)(at - text), text, by, end);
+  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(saved, "a.state", sealed, sealed_size, &error), NB_OK);
+  free(sealed), free(other), free(text);
+}
+
+/* The numbers of a record have the order of docs/STATE.md: they are 1, 2, 4, 8 … in the file. */
+#define ORDER(page, record, numbers, ...)                                                                              \
+  do {                                                                                                                 \
+    struct nb_saved it;                                                                                                \
+    read_with(&it, page, record, record numbers);                                                                      \
+    const double found[] = {__VA_ARGS__};                                                                              \
+    for (size_t k = 0; k < sizeof found / sizeof *found; k++)                                                          \
+      CU_ASSERT_EQUAL(found[k], (double)(1UL << k));                                                                   \
+    nb_saved_free(&it);                                                                                                \
+  } while (0)
+#define VECTOR(v) (v).x, (v).y
+#define TENSOR(t) (t).xx, (t).xy, (t).yx, (t).yy
+
+static void numbers_have_the_order_of_the_document(void) {
+  ORDER(state_plain, "cycle", " 2 1", (double)it.stage_cycle, (double)it.cycle);
+  ORDER(state_plain, "time", " 0x1p+0 0x1p+1", it.time, it.step);
+  ORDER(state_plain, "gravity", " 0x1p+0 0x1p+1", VECTOR(it.gravity));
+  ORDER(state_plain, "material", " m 0x1p+0 0x1p+1 0x1p+2 0x1p+3 0x1p+4 0x1p+5 0x0p+0", it.materials->density,
+        it.materials->kn, it.materials->ks, it.materials->friction, it.materials->cohesion, it.materials->young);
+  ORDER(state_plain, "pair", " m m 0x1p+0 0x1p+1 0x1p+2 0x1p+3", it.rules->kn, it.rules->ks, it.rules->friction,
+        it.rules->cohesion);
+  ORDER(state_plain, "body", " 1 sphere m free 0x1p+0 0x1p+1 0x1p+2 0x1p+3 0x1p+4 0x1p+5 0x1p+6", it.particles->radius,
+        VECTOR(it.particles->position), VECTOR(it.particles->velocity), it.particles->spin, it.particles->angle);
+  ORDER(state_plain, "wall",
+        " w m 0x1p+0 0x1p+1 0x1p+0 0x0p+0 0x1p+2 0x1p+3 0x1p+4 0x1p+5 0x1p+6 0x1p+7 0x1p+8 0x1p+9 0x1p+10",
+        VECTOR(it.walls->pivot), it.walls->h0, it.walls->h1, it.walls->h2, VECTOR(it.walls->velocity), it.walls->spin,
+        VECTOR(it.walls->turn), it.walls->angle);
+  ORDER(state_plain, "wall",
+        " w m 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
+        "0x0p+0",
+        it.walls->along.x);
+  ORDER(state_ring, "inward", " 0x1p+0 0x1p+1 0x1p+2", it.central.acceleration, VECTOR(it.central.point));
+  ORDER(state_ring, "centre", " 0x1p+0 0x1p+1", VECTOR(it.centre));
+  ORDER(state_ring, "carrier", " continuum literal 0x1p+0 0x1p+1 0x1p+2 0x1p+3 cycle 0x1p+4 0x1p+5 0x1p+6 0x1p+7",
+        TENSOR(it.sources[NB_AFFINE_FREE].rate), TENSOR(it.sources[NB_AFFINE_FREE].requested));
+  ORDER(state_ring, "carried", " 1 boundary 0x1p+0 0x1p+1", VECTOR(it.imposed->along));
+  ORDER(state_ring, "boundary", " loose unpressed 0x1p+0 0x1p+1 0x1p+2 0x1p+3 0x1p+4 0x1p+5 0x1p+6 0x1p+7 0x1p+8",
+        it.ring.radius, TENSOR(it.ring.shape), TENSOR(it.ring.stress));
+  ORDER(state_cell, "cell", " 0x1p+0 0x1p+1 0x1p+2 0x1p+4 0x1p+4 0x1p+5 0x1p+6 0x1p+7", it.cell.h.xx, it.cell.h.xy,
+        it.cell.h.yx, it.cell.h.yy / 2, TENSOR(it.cell.image_velocity));
+  ORDER(state_plain, "contact",
+        " 1 body 2 heard 0x1p+0 0x1p+1 0x1p+2 0x1p+3 0x1p+4 0x1p+5 0x1p+6 0x1p+7 0x1p+8 0x1p+9 0x1p+10 0x1p+11 0x1p+12 "
+        "0x1p+13 0x1p+14",
+        VECTOR(it.contacts->force), it.contacts->field[NB_OVERLAP], it.contacts->field[NB_NORMAL_INCREMENT],
+        it.contacts->field[NB_TANGENTIAL_INCREMENT], it.contacts->field[NB_EX], it.contacts->field[NB_EY],
+        it.contacts->field[NB_NORMAL], it.contacts->field[NB_STIFFNESS], it.contacts->field[NB_RADIUS],
+        it.contacts->field[NB_SHEAR], it.contacts->field[NB_SHEAR_STIFFNESS], it.contacts->field[NB_SLIDING],
+        it.contacts->field[NB_TOTAL_NORMAL], it.contacts->field[NB_TOTAL_SHEAR]);
+}
+
 /* The three ways in which a free particle stores its imposed motion. */
 static void codings_of_an_imposed_motion(void) {
   static const struct {
@@ -327,6 +389,7 @@ void suite_state_records(void) {
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_ADD_TEST(suite, the_components_of_a_tensor_have_their_order);
+  CU_ADD_TEST(suite, numbers_have_the_order_of_the_document);
   CU_ADD_TEST(suite, codings_of_an_imposed_motion);
   CU_ADD_TEST(suite, sources_in_another_order);
   CU_add_test(suite, "missing and doubled records", every_record);
