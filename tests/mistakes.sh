@@ -203,6 +203,15 @@ result $? 'a folder beside a page of its name'
 cat "$why" >>"$work/heard"
 grep -qF 'expected the end of the text, found `x`' "$why"
 result $? 'text after the tolerance of advise'
+"$nineball" advise cases/1-two-discs/free-fall.md --within 1 >/dev/null 2>"$work/given"
+cat "$work/given" >>"$work/heard"
+diff -u - "$work/given" >"$why" <<'EOF'
+quantity: error: expected a length and its unit (m, mm, um, nm, cm, km), or a percentage, found `1`
+      | C.overlap max within 1
+      |                      ^
+  hint: write `1 m` or `1 mm`; a relative tolerance is a percentage, `1 %`
+EOF
+result $? 'a tolerance of advise without a unit'
 
 # ---- `transform` makes a number infinite ----
 
