@@ -790,6 +790,8 @@ static void walls_that_rotate_about_their_middles(void) {
   } cases[] = {
       {"wall w 0 1 to 4 3 m spin 1", "", "", "4: wall `w` rotates about its middle: 2 2" NO_ABOUT},
       {"wall w 0 1 to 4 3 m spin -1", "", "", "4: wall `w` rotates about its middle: 2 2" NO_ABOUT},
+      {"wall u 0 -5 to 4 -5 m\nwall w 0 1 to 4 3 m spin 1", "", "",
+       "5: wall `w` rotates about its middle: 2 2" NO_ABOUT},
       {"wall w 0 1 to 4 3 m", "", "", ""},
       {"wall w 0 1 to 4 3 m about 2 2 spin 1", "", "", ""},
       {"wall w 0 1 to 4 3 m", "wall w spin 1", "", "8: wall `w` rotates about its middle: 2 2" NO_ABOUT},

@@ -205,6 +205,19 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
   mistake(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
 }
 
+/* Refuses `3 mm^2` and `3 mm²`, which may mean `3 mm2` or `(3 mm)^2`; false: no such power follows the unit of `length`
+ * bytes. */
+static bool power_of_unit(struct parser *p, size_t length) {
+  char hint[NB_HINT_SIZE], text[WORD_SIZE], ours[NB_NAME_SIZE];
+  const size_t all = length + strcspn(p->at + length, " \t*/+-()");
+  snprintf(text, sizeof text, "%.*s", (int)all, p->at);
+  if (!nb_unit_respelt(ours, text))
+    return false;
+  snprintf(hint, sizeof hint, "write the unit as `%s`, or the power of a value as `(3 mm)^2`", ours);
+  mistake(p, p->at, all, hint, "expected a unit or an operator, found `%s`", text);
+  return true;
+}
+
 /* Reads the unit after a literal or a parenthesis. The unit may be missing; any other word is a mistake. */
 static struct nb_unit unit_after(struct parser *p) {
   struct nb_unit unit;
@@ -219,6 +232,8 @@ static struct nb_unit unit_after(struct parser *p) {
   if (length == 0 || p->reader->bad || *text == '/' || number)
     return (struct nb_unit){.factor = 1};
   const bool is = nb_unit_read(&unit, text);
+  if (length < sizeof text && power_of_unit(p, length))
+    return (struct nb_unit){.factor = 1};
   if (is && !glued && (!p->reader->unitless || nb_unit_without_dimension(text)))
     return p->at += length, unit;
   wrong_unit(p, length, text, is);

@@ -393,6 +393,9 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
     return bare_number_hint(hint, text, n, &read);
   if (memchr(text, '.', all) && all > n + 1)
     return two_numbers_hint(hint, reader, text, n), true;
+  if (comma && !unit && all == n + 4) /* `1,500` may be one and a half */
+    return snprintf(hint, NB_HINT_SIZE, "write `%.*s%s`, or `%.*s.%s`, without a comma", (int)n, text, text + n + 1,
+                    (int)n, text, text + n + 1);
   const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
                      : all > n + 1 ? "write `%.*s.%s`, without a comma"
                                    : "leave out the comma: `%.*s%s`";
@@ -564,6 +567,8 @@ static const char *compared_hint(char *hint, const struct nb_reader *reader) {
   bool within = false;
   snprintf(hint, NB_HINT_SIZE, "write `");
   for (size_t k = 0; k < reader->count && *tokens[k].text != '['; k++) {
+    if (k == reader->next && strcmp(tokens[k - 1].text, "expected") == 0) /* `expected = 3 N` */
+      continue;
     nb_append(hint, NB_HINT_SIZE, "%s", k ? " " : "");
     nb_append_operand(hint, reader, k == reader->next ? "expected" : tokens[k].text);
     within = within || strcmp(tokens[k].text, "within") == 0;

@@ -150,6 +150,25 @@ const struct nb_foreign_unit *nb_unit_foreign(const char *name, const struct nb_
   return NULL;
 }
 
+bool nb_unit_respelt(char ours[NB_NAME_SIZE], const char *text) {
+  static const struct {
+    const char *theirs, *ours;
+  } powers[] = {{"^", ""}, {"\u00B2", "2"}, {"\u00B3", "3"}, {NULL, NULL}};
+  struct nb_unit unit;
+  bool other = false;
+  ours[0] = '\0';
+  while (*text) {
+    size_t k = 0;
+    while (powers[k].theirs && strncmp(text, powers[k].theirs, strlen(powers[k].theirs)) != 0)
+      k++;
+    if (powers[k].theirs)
+      nb_append(ours, NB_NAME_SIZE, "%s", powers[k].ours), text += strlen(powers[k].theirs), other = true;
+    else
+      nb_append(ours, NB_NAME_SIZE, "%c", *text++);
+  }
+  return other && nb_unit_read(&unit, ours);
+}
+
 /* The kind of a dimension; -1: none. */
 static int kind_of(struct nb_dimension dimension) {
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {

@@ -52,6 +52,8 @@ struct nb_foreign_unit {
 };
 /* The foreign unit with this name and, if `dimension` is not NULL, this dimension; NULL: there is none. */
 const struct nb_foreign_unit *nb_unit_foreign(const char *name, const struct nb_dimension *dimension);
+/* Writes the unit that another spelling means: `m/s2` for `m/s^2` and `m/s²`. False: the text is no such spelling. */
+bool nb_unit_respelt(char ours[NB_NAME_SIZE], const char *text);
 /* Converts a value with this unit to SI. */
 double nb_unit_to_si(double value, const struct nb_unit *unit);
 bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b);

@@ -214,10 +214,23 @@ static bool percent_hint(char *hint, const char *n, const struct nb_token *next,
   return next && is_percent(next->text) && (is_dimensionless(it) || it->relative);
 }
 
+/* Writes the hint for `9.81 m/s^2`; false: this is no other spelling of a unit that fits. */
+static bool spelling_hint(char *hint, const char *n, const char *unit, const struct wanted *it) {
+  char bare[NB_NAME_SIZE], ours[NB_NAME_SIZE];
+  struct nb_unit read;
+  if (!nb_unit_respelt(ours, without_comma(bare, unit)) || !nb_unit_read(&read, ours) ||
+      !nb_dimension_same(read.dimension, it->unit.dimension))
+    return false;
+  snprintf(hint, NB_HINT_SIZE, "write `%.40s %s`", n, ours);
+  return true;
+}
+
 /* Writes the hint for `1 m/2`, a quotient outside parentheses; false: no operator follows the unit. */
 static bool quotient_hint(char *hint, const char *n, const struct nb_token *next) {
   struct nb_unit unit; /* `m/s2` is one unit */
-  const bool other = next && (nb_unit_foreign(next->text, NULL) || nb_unit_read(&unit, next->text));
+  char bare[NB_NAME_SIZE], ours[NB_NAME_SIZE];
+  const char *const text = next ? without_comma(bare, next->text) : "";
+  const bool other = nb_unit_foreign(text, NULL) || nb_unit_read(&unit, text) || nb_unit_respelt(ours, text);
   const int head = next && !other && !strchr(next->text, '=') ? (int)nb_unit_before_operator(next->text) : 0;
   if (head)
     snprintf(hint, NB_HINT_SIZE, "put operators and their operands into parentheses: `(%.40s %.*s %c %.80s)`", n, head,
@@ -235,6 +248,7 @@ static bool special_hint(char *hint, const struct nb_reader *reader, const char 
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
   return percent_hint(hint, n, next, it) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
+         (!reader->unitless && spelling_hint(hint, n, unit, it)) ||
          (reader->unitless && radian_hint(hint, n, unit, it)) ||
          (next && !is_number(next) && !limit_follows(reader) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
@@ -462,6 +476,26 @@ static bool read_count(const struct nb_token *token, unsigned long low, unsigned
   return *value >= low && *value <= high;
 }
 
+/* Writes the hint for a whole number from low to high in another form, `1e6` or `1,000,000`; false: this is none. */
+static bool whole_hint(char *hint, const struct nb_token *token, unsigned long low, unsigned long high) {
+  char bare[NB_NAME_SIZE] = "";
+  double number;
+  size_t group = strcspn(token->text, ",");
+  if (token->computed || !token->text[strspn(token->text, "0123456789")])
+    return false;
+  nb_append(bare, sizeof bare, "%.*s", (int)group, token->text);
+  for (const char *at = token->text + group; *at; at += group) {
+    group = 1 + strspn(at + 1, "0123456789");
+    if (group != 4) /* a comma and three digits */
+      return false;
+    nb_append(bare, sizeof bare, "%.3s", at + 1);
+  }
+  if (nb_number_read(&number, bare, 0) != NB_READ || number != floor(number))
+    return false;
+  snprintf(hint, NB_HINT_SIZE, "write `%.0f`", number);
+  return number >= (double)low && number <= (double)high;
+}
+
 /* As nb_take_count; `counted`: what the message expects, such as "a number of cycles". */
 static bool take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value,
                        const char *hint, const char *counted) {
@@ -476,6 +510,8 @@ static bool take_count(struct nb_reader *reader, unsigned long low, unsigned lon
     hint = text;
   if (token && !is_number(token) && bare_name_hint(text, reader, token))
     hint = text;
+  if (token && whole_hint(text, token, low, high))
+    return nb_token_mistake(reader, token, text, "expected %s, found `%s`", what, token->text);
   return is_number(token) ? number_mistake(reader, token, NULL, hint, what) : nb_expected(reader, hint, "%s", what);
 }
 

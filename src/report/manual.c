@@ -389,9 +389,9 @@ static void values(const struct manual *to) {
       text, sizeof text,
       "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the value "
       "that `let` or `sweep` gives to it. The constant is `pi`, and the functions are %s. Operators, highest "
-      "precedence first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A "
-      "number and a "
-      "name side by side are not multiplied: `2 N` is two newtons, and `2*N` is twice the value of the name N.",
+      "precedence first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. The "
+      "power of a value with a unit is written `(3 mm)^2`: `3 mm^2`, which may also mean `3 mm2`, is refused. A number "
+      "and a name side by side are not multiplied: `2 N` is two newtons, and `2*N` is twice the value of the name N.",
       nb_function_names);
   paragraph(to, text);
   paragraph(
