@@ -205,6 +205,11 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
   mistake(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
 }
 
+/* True if there is no word after a number, or a word that begins with an operator or a number. */
+static bool is_no_unit(const char *text) {
+  return strchr("/", *text) || (strchr(".0123456789", *text) && text[1] != '/');
+}
+
 /* Refuses `3 mm^2` and `3 mm²`, which may mean `3 mm2` or `(3 mm)^2`; false: no such power follows the unit of `length`
  * bytes. */
 static bool power_of_unit(struct parser *p, size_t length) {
@@ -228,12 +233,9 @@ static struct nb_unit unit_after(struct parser *p) {
   size_t length = read_word(p, glued ? "_.%" : "_./%", text);
   if (length > 0 && length < sizeof text && text[length - 1] == '/')
     text[--length] = '\0'; /* this `/` divides: `1 m/(2*n)` */
-  const bool number = strchr(".0123456789", *text) && text[1] != '/';
-  if (length == 0 || p->reader->bad || *text == '/' || number)
+  if (p->reader->bad || is_no_unit(text) || power_of_unit(p, length))
     return (struct nb_unit){.factor = 1};
   const bool is = nb_unit_read(&unit, text);
-  if (length < sizeof text && power_of_unit(p, length))
-    return (struct nb_unit){.factor = 1};
   if (is && !glued && (!p->reader->unitless || nb_unit_without_dimension(text)))
     return p->at += length, unit;
   wrong_unit(p, length, text, is);

@@ -379,6 +379,17 @@ static bool bare_number_hint(char *hint, const char *text, size_t n, const struc
   return true;
 }
 
+/* Writes the hint for a number with a comma after n bytes, which ends after `all` bytes. */
+static void decimal_comma_hint(char *hint, const char *text, size_t n, size_t all) {
+  const char *const rest = text + n + 1;
+  if (all == n + 4) /* `1,500` may be one and a half */
+    snprintf(hint, NB_HINT_SIZE, "write `%.*s%s`, or `%.*s.%s`, without a comma", (int)n, text, rest, (int)n, text,
+             rest);
+  else
+    snprintf(hint, NB_HINT_SIZE, all > n + 1 ? "write `%.*s.%s`, without a comma" : "leave out the comma: `%.*s%s`",
+             (int)n, text, rest);
+}
+
 /* Writes the hint for `50mm` or `50/s`, a number and its unit without a space, or for `1,5`, a decimal comma. */
 static bool number_hint(char *hint, const struct nb_reader *reader, const char *text) {
   struct nb_unit read;
@@ -393,13 +404,10 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
     return bare_number_hint(hint, text, n, &read);
   if (memchr(text, '.', all) && all > n + 1)
     return two_numbers_hint(hint, reader, text, n), true;
-  if (comma && !unit && all == n + 4) /* `1,500` may be one and a half */
-    return snprintf(hint, NB_HINT_SIZE, "write `%.*s%s`, or `%.*s.%s`, without a comma", (int)n, text, text + n + 1,
-                    (int)n, text, text + n + 1);
-  const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
-                     : all > n + 1 ? "write `%.*s.%s`, without a comma"
-                                   : "leave out the comma: `%.*s%s`";
-  snprintf(hint, NB_HINT_SIZE, form, (int)n, text, unit ? name : text + n + comma);
+  if (unit)
+    snprintf(hint, NB_HINT_SIZE, "put a space between the number and its unit: `%.*s %s`", (int)n, text, name);
+  else
+    decimal_comma_hint(hint, text, n, all);
   return true;
 }
 
