@@ -378,6 +378,15 @@ static void words_that_say_nothing(void) {
   CU_ASSERT_FALSE(nb_parts_hint(hint, &scene, "purple_rattlers", -1));
 }
 
+/* No explanation of a quantity is cut at the size of its text. */
+static void no_explanation_is_cut(void) {
+  struct nb_quantity_row row;
+  size_t longest = 0;
+  for (size_t k = 0; nb_quantity_row(&row, k); k++)
+    longest = strlen(row.help) > longest ? strlen(row.help) : longest;
+  CU_ASSERT(longest > 0 && longest < sizeof row.help - 1);
+}
+
 void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
@@ -387,5 +396,6 @@ void suite_statements(void) {
   CU_add_test(suite, "one of two materials may be rigid", one_rigid_sphere);
   CU_add_test(suite, "the bounds of each quantity", bounds_of_quantities);
   CU_add_test(suite, "each quantity alone", quantities_alone);
+  CU_ADD_TEST(suite, no_explanation_is_cut);
   CU_add_test(suite, "words that distinguish no quantities", words_that_say_nothing);
 }

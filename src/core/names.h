@@ -73,7 +73,7 @@ bool nb_quantity_is_residual(struct nb_quantity quantity); /* the quantity is a 
 /* For the manual: nb_quantity_row fills a row with the k-th quantity. False past the last one. */
 struct nb_quantity_row {
   const void *key; /* identifies the quantity */
-  char name[NB_NAME_SIZE], help[512];
+  char name[NB_NAME_SIZE], help[1024];
   const char *unit, *of;          /* unit; the kind of monitor that has the quantity */
   const char *statement, *prefix; /* "region M all", "M."; NULL: a quantity of the scene */
 };
