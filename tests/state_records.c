@@ -91,29 +91,36 @@ static size_t line_number(const char *text, const char *at) {
   return number;
 }
 
+/* The text with the bytes from `from` to `to` replaced by the text `by`, and with its checksum; to be freed. */
+static char *spliced(const char *text, const char *from, const char *to, const char *by, size_t *size) {
+  char *other = malloc(strlen(text) + strlen(by) + 1);
+  sprintf(other, "%.*s%s%s", (int)(from - text), text, by, to);
+  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, size);
+  free(other);
+  return sealed;
+}
+
 /* Reads the text with the bytes from `from` to `to` replaced by the text `by`, and returns the error. */
-static struct nb_error read_changed(const char *text, size_t size, const char *from, const char *to, const char *by) {
+static struct nb_error read_changed(const char *text, const char *from, const char *to, const char *by) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
-  size_t sealed_size;
-  char *other = malloc(size + strlen(by) + 1);
-  sprintf(other, "%.*s%s%s", (int)(from - text), text, by, to);
-  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
-  nb_saved_read_text(&saved, "a.state", sealed, sealed_size, &error);
+  size_t size;
+  char *sealed = spliced(text, from, to, by, &size);
+  nb_saved_read_text(&saved, "a.state", sealed, size, &error);
   nb_saved_free(&saved);
-  free(sealed), free(other);
+  free(sealed);
   return error;
 }
 
 /* Tests that the state is refused if its field is replaced by the text `by`, with an error at this field. `vector`: the
  * field is a component of a unit vector. */
-static void refused(const char *text, size_t size, char *field, size_t length, const char *by, bool vector) {
+static void refused(const char *text, char *field, size_t length, const char *by, bool vector) {
   char where[32], *line = field;
   while (line > text && line[-1] != '\n')
     line--;
   snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
   where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* the error is at the last component */
-  const struct nb_error error = read_changed(text, size, field, field + length, by);
+  const struct nb_error error = read_changed(text, field, field + length, by);
   if (strncmp(error.text, where, strlen(where)) != 0)
     printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
            where, error.text);
@@ -127,14 +134,14 @@ static void every_field(void) {
     size_t size;
     char *text = state_of(records[r].page, &size), *end, *at = line_of(text, records[r].record, &end);
     at += strlen(records[r].record);
-    CU_ASSERT_EQUAL(read_changed(text, size, text, text, "").status, NB_OK);
+    CU_ASSERT_EQUAL(read_changed(text, text, text, "").status, NB_OK);
     for (const char *kind = records[r].fields; *kind && *at == ' '; kind++) {
       const size_t length = strcspn(++at, " \n");
       for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int b = 0; kinds[k].kind == *kind && b < 9 && kinds[k].refused[b]; b++)
-          refused(text, size, at, length, kinds[k].refused[b], *kind == 'u');
-      refused(text, size, at, length, name, false);
-      refused(text, size, at, length, word, false);
+          refused(text, at, length, kinds[k].refused[b], *kind == 'u');
+      refused(text, at, length, name, false);
+      refused(text, at, length, word, false);
       at += length;
     }
     free(text);
@@ -142,20 +149,18 @@ static void every_field(void) {
 }
 
 /* Tests that the changed state has the same text after it has been read and written. */
-static void same_text(const char *text, size_t size, const char *from, const char *to, const char *by) {
+static void same_text(const char *text, const char *from, const char *to, const char *by) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
-  size_t sealed_size, again_size;
-  char *other = malloc(size + strlen(by) + 1);
-  sprintf(other, "%.*s%s%s", (int)(from - text), text, by, to);
-  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", sealed, sealed_size, &error), NB_OK);
+  size_t size, again_size;
+  char *sealed = spliced(text, from, to, by, &size);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", sealed, size, &error), NB_OK);
   char *again = nb_saved_text(&saved, &again_size);
-  CU_ASSERT_EQUAL(again_size, sealed_size);
+  CU_ASSERT_EQUAL(again_size, size);
   CU_ASSERT_STRING_EQUAL(again, sealed);
   nb_saved_free(&saved);
   CU_ASSERT_EQUAL(saved.program[0], 0);
-  free(again), free(sealed), free(other);
+  free(again), free(sealed);
 }
 
 /* The largest and the smallest numbers, and the longest name, that fields accept. A state that has been read is written
@@ -184,11 +189,11 @@ static void fields_at_their_limits(void) {
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     size_t size;
     char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end);
-    const struct nb_error error = read_changed(text, size, at, end, rows[r].by);
+    const struct nb_error error = read_changed(text, at, end, rows[r].by);
     if (error.status)
       printf("# %s: %s\n", rows[r].by, error.text);
     CU_ASSERT_EQUAL(error.status, NB_OK);
-    same_text(text, size, at, end, rows[r].by);
+    same_text(text, at, end, rows[r].by);
     free(text);
   }
 }
@@ -223,11 +228,11 @@ static void every_record(void) {
     size_t size;
     char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end), twice[1024];
     snprintf(twice, sizeof twice, "%.*s\n%.*s\n", (int)(end - at), at, (int)(end - at), at);
-    struct nb_error error = read_changed(text, size, at, end + 1, twice);
+    struct nb_error error = read_changed(text, at, end + 1, twice);
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, strcmp(rows[r].record, "shear") == 0
                                                   ? "expected such a record once, below its contact, found `shear`"
                                                   : "expected such a record once, found `"));
-    error = read_changed(text, size, at, end + 1, "");
+    error = read_changed(text, at, end + 1, "");
     CU_ASSERT(rows[r].removed ? strstr(error.text, rows[r].removed) != NULL : error.status == NB_OK);
     free(text);
   }
@@ -238,15 +243,14 @@ static void without_particles(void) {
       "nineball state 1\nprogram 1\npage a\nhash 0000000000000000\nstage a\ncycle 1 1\n"
       "time 0x1p+0 0x1p+0\nunits si\ngravity 0x0p+0 0x0p+0\nlaw normal linear\nlaw shear none 0\n"
       "end 0000000000000000\n";
-  const struct nb_error error = read_changed(text, sizeof text - 1, text, text, "");
+  const struct nb_error error = read_changed(text, text, text, "");
   CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
   static const char empty[] = "nineball state 1\nend 0000000000000000\n";
-  CU_ASSERT_STRING_EQUAL(read_changed(empty, sizeof empty - 1, empty, empty, "").text,
+  CU_ASSERT_STRING_EQUAL(read_changed(empty, empty, empty, "").text,
                          "a.state:2:1: expected a record `program` above, found `end`");
   /* No line end between the last record and `end`, with the right checksum. */
   const char *end = strstr(text, "\nend ");
-  CU_ASSERT_PTR_NOT_NULL(
-      strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected the checksum of the lines above"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(read_changed(text, end, end + 1, "").text, "expected the checksum of the lines above"));
 }
 
 /* The largest number of records, the largest number of numbers in a record, and one more of each. */
@@ -256,21 +260,19 @@ static void at_most(void) {
   char *many = calloc(NB_NAMED_MAX + 1, 16);
   for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* state_of has made one */
     strcat(many, "setting a=1\n");
-  CU_ASSERT_EQUAL(read_changed(text, size, at, at, many).status, NB_OK);
+  CU_ASSERT_EQUAL(read_changed(text, at, at, many).status, NB_OK);
   strcat(many, "setting a=1\n");
   CU_ASSERT_PTR_NOT_NULL(
-      strstr(read_changed(text, size, at, at, many).text, "expected at most 2000 such records, found `setting`"));
+      strstr(read_changed(text, at, at, many).text, "expected at most 2000 such records, found `setting`"));
   free(many);
   at = line_of(text, "shear", &end);
   many = calloc(NB_HISTORY_MAX + 3, 3);
   strcpy(many, "shear");
   for (int k = 0; k < NB_HISTORY_MAX; k++)
     strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(
-      strstr(read_changed(text, size, at, end, many).text, "a contact history that the law can have"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(read_changed(text, at, end, many).text, "a contact history that the law can have"));
   strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(
-      strstr(read_changed(text, size, at, end, many).text, "expected at most 1292 numbers, found `0`"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(read_changed(text, at, end, many).text, "expected at most 1292 numbers, found `0`"));
   free(many), free(text);
 }
 
@@ -291,14 +293,12 @@ static void the_components_of_a_tensor_have_their_order(void) {
 
 /* Reads the state of a page with another text for a record. */
 static void read_with(struct nb_saved *saved, const char *page, const char *record, const char *by) {
-  size_t size, sealed_size;
+  size_t size;
   struct nb_error error;
   char *text = state_of(page, &size), *end, *at = line_of(text, record, &end);
-  char *other = malloc(size + strlen(by) + 1);
-  sprintf(other, "%.*s%s%s", (int)(at - text), text, by, end);
-  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(saved, "a.state", sealed, sealed_size, &error), NB_OK);
-  free(sealed), free(other), free(text);
+  char *sealed = spliced(text, at, end, by, &size);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(saved, "a.state", sealed, size, &error), NB_OK);
+  free(sealed), free(text);
 }
 
 /* The numbers of a record have the order of docs/STATE.md: they are 1, 2, 4, 8 … in the file. */
@@ -380,7 +380,7 @@ static void sources_in_another_order(void) {
   line_of(text, "carrier box", &after);
   char *by = malloc(size);
   sprintf(by, "%.*s\n%.*s", (int)(after - end - 1), end + 1, (int)(end - first), first);
-  CU_ASSERT_EQUAL(read_changed(text, size, first, after, by).status, NB_OK);
+  CU_ASSERT_EQUAL(read_changed(text, first, after, by).status, NB_OK);
   free(by), free(text);
 }
 

@@ -207,7 +207,7 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
 
 /* True if there is no word after a number, or a word that begins with an operator or a number. */
 static bool is_no_unit(const char *text) {
-  return strchr("/", *text) || (strchr(".0123456789", *text) && text[1] != '/');
+  return !*text || *text == '/' || (strchr(".0123456789", *text) && text[1] != '/');
 }
 
 /* Refuses `3 mm^2` and `3 mm²`, which may mean `3 mm2` or `(3 mm)^2`; false: no such power follows the unit of `length`

@@ -248,8 +248,7 @@ static bool special_hint(char *hint, const struct nb_reader *reader, const char 
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
   return percent_hint(hint, n, next, it) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
-         (!reader->unitless && spelling_hint(hint, n, unit, it)) ||
-         (reader->unitless && radian_hint(hint, n, unit, it)) ||
+         (reader->unitless ? radian_hint(hint, n, unit, it) : spelling_hint(hint, n, unit, it)) ||
          (next && !is_number(next) && !limit_follows(reader) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
@@ -511,7 +510,7 @@ static bool take_count(struct nb_reader *reader, unsigned long low, unsigned lon
   if (token && !is_number(token) && bare_name_hint(text, reader, token))
     hint = text;
   if (token && whole_hint(text, token, low, high))
-    return nb_token_mistake(reader, token, text, "expected %s, found `%s`", what, token->text);
+    return number_mistake(reader, token, NULL, text, what);
   return is_number(token) ? number_mistake(reader, token, NULL, hint, what) : nb_expected(reader, hint, "%s", what);
 }
 
